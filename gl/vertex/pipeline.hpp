@@ -13,12 +13,11 @@
 #include <type_traits>
 
 #include "gl/context/context.hpp"
-#include "gl/context/reach.hpp"
 #include "gl/pixel/fragment_setup.hpp"
 #include "gl/pixel/targets.hpp"
-#include "gl/pixel/viewport_box.hpp"
 #include "gl/vertex/capture.hpp"
 #include "gl/vertex/current_element.hpp"
+#include "gl/vertex/draw_modes.hpp"
 #include "gl/vertex/texgen.hpp"
 #include "gl/vertex/user_planes.hpp"
 #include "raster/band/batch_rows.hpp"
@@ -47,7 +46,6 @@ template <class M, class L> class Pipeline {
 
     void begin(Context& context, GLenum mode) {
         context_ = &context;
-        mode_ = mode;
         corners_needed_ = corners_of(mode);
         corner_count_ = 0;
         is_odd_triangle_ = false;
@@ -56,10 +54,10 @@ template <class M, class L> class Pipeline {
             return;
         for (int i = 0; i < slot_count; ++i)
             corner_[i] = &vertex_slot_[i];
-        derive(context);
+        derive(context, mode);
         if (tells_reach && is_told(context)) [[unlikely]]
             record_draw_reach();
-        if (mode == GL_POLYGON && (has_outlines() || gathers_polygons()))
+        if (mode == GL_POLYGON && (modes_.has_outlines() || modes_.gathers_polygons()))
             begin_polygon();
         const PrimitiveKind drawn = mode == GL_POINTS       ? PrimitiveKind::points
                                     : mode <= GL_LINE_STRIP ? PrimitiveKind::lines
@@ -83,7 +81,7 @@ template <class M, class L> class Pipeline {
         else
             transform_vertex(v);
         set_attributes_of(current, v);
-        if (needs_vertex_state())
+        if (modes_.needs_vertex_state())
             take_vertex_state(current, v);
         if (++corner_count_ == corners_needed_)
             primitive();
@@ -94,9 +92,9 @@ template <class M, class L> class Pipeline {
 
     void end() {
         if (!is_outside_band()) {
-            if (has_lines && mode_ == GL_LINE_LOOP && corner_count_ == 2)
+            if (has_lines && modes_.mode() == GL_LINE_LOOP && corner_count_ == 2)
                 line(*corner_[1], *corner_[0]);
-            if (mode_ == GL_POLYGON && (has_outlines() || gathers_polygons()))
+            if (modes_.mode() == GL_POLYGON && (modes_.has_outlines() || modes_.gathers_polygons()))
                 end_polygon();
         }
         if constexpr (skips_batches)
@@ -238,41 +236,14 @@ template <class M, class L> class Pipeline {
     /// and FEEDBACK, too.
     raster::BatchRows* batches_ = nullptr;
     const raster::DrawState* state_ = nullptr;
-    GLenum mode_ = GL_POINTS;
+    DrawModes modes_;
     /// Number of vertices that `corner_` holds, and the number that completes a primitive.
     int corner_count_ = 0, corners_needed_ = 0;
     /// True after an odd number of triangles of a strip, and after the first triangle of an outlined polygon.
     bool is_odd_triangle_ = false;
-    bool has_fog_ = false, is_lit_ = false, is_flat_shaded_ = false, has_two_sides_ = false;
-    /// Bit u is set if texture unit u is enabled, and bit u + third_coordinate if unit u needs r.
-    unsigned units_ = 0;
     /// Bit u is set if unit u needed r when the cached vertices were made.
     unsigned units_with_r_ = 0;
-    bool has_fog_coordinates_ = false;   ///< true if fog uses fog coordinates as distance
-    bool has_color_sum_ = false;         ///< true if unlit vertices have a secondary colour (COLOR_SUM)
-    unsigned index_bits_ = 0;            ///< bits of a colour index; 0: the framebuffer has RGBA colours
-    bool needs_vertex_state_ = false;    ///< true if take_vertex_state() is called for each vertex
-    bool needs_polygon_path_ = false;    ///< true if polygon() draws triangles and quads, too
-    bool has_outlines_ = false;          ///< true if PolygonMode draws front or back faces as lines or points
-    bool has_two_sided_stencil_ = false; ///< true if back faces have a DrawState of their own
-    bool is_capturing_ = false;          ///< true if primitives are selected or fed back instead of drawn
-    /// True if wide lines are clipped to the view volume, since an edge of the viewport lies within the
-    /// window.
-    bool clips_wide_lines_ = false;
-    bool has_polygon_offset_ = false; ///< true if PolygonOffset is enabled for some polygon mode
-    /// True if lines are stippled or antialiased, or if the drawable has samples.
-    bool has_special_lines_ = false;
-    /// True if points are antialiased, are sprites, or have a size that depends on the vertex. It is also
-    /// true if the drawable has samples.
-    bool has_special_points_ = false;
-    /// True if filled polygons are antialiased, or if the drawable has samples.
-    bool fills_whole_polygons_ = false;
-    bool has_smooth_polygons_ = false;
-    bool is_multisampling_ = false;
-    bool restarts_stipple_ = false; ///< true if the next line starts the stipple pattern anew
-    GLenum face_mode_[2] = {};      ///< polygon modes of front and back
-    /// culls_winding_[0] tells whether counter-clockwise faces are culled, culls_winding_[1] clockwise ones.
-    bool front_is_ccw_ = false, culls_winding_[2] = {};
+    bool restarts_stipple_ = false;   ///< true if the next line starts the stipple pattern anew
     Vertex* corner_[slot_count] = {}; ///< vertices of the current primitive
     /// Layout of the arrays that the cached vertices came from, in the bits that arrays_begin() defines.
     unsigned cached_layout_ = 0;
@@ -280,7 +251,6 @@ template <class M, class L> class Pipeline {
     Real last_draw_color_[4] = {}; ///< current colour during the last draw of elements
     /// Cached vertices whose `cache_epoch` differs from this are invalid; see invalidate_cache().
     std::uint32_t cache_epoch_ = 0;
-    std::int32_t point_size_ = 0, line_width_ = 0; ///< sizes in pixels, rounded, 1 to 64
     raster::LineStipple stipple_;
     typename M::Transforms transforms_;
     L lighting_;
@@ -342,7 +312,7 @@ template <class M, class L> class Pipeline {
         return skips_batches && batches_ != nullptr && batches_->is_skipped();
     }
 
-    void derive(Context& context) {
+    void derive(Context& context, GLenum mode) {
         if (const unsigned dirty = context.dirty & dirty_vertex; dirty != 0) {
             if ((dirty & (dirty_matrices | dirty_others)) != 0) {
                 M::derive(context.transform, transforms_);
@@ -353,62 +323,17 @@ template <class M, class L> class Pipeline {
             context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_vertex);
             invalidate_cache();
         }
-        if constexpr (SPANGLE_FEATURE_FOG) {
-            has_fog_ = context.fog.fog;
-            has_fog_coordinates_ = has_fog_ && context.fog.source == GL_FOG_COORDINATE;
-        }
-        if constexpr (raster::has_indices)
-            index_bits_ = context.drawable.index_bits;
-        is_lit_ = context.lighting.lighting;
-        has_color_sum_ = SPANGLE_FEATURE_SECONDARY_COLOR && !is_lit_ && sums_colors(context.lighting);
-        if (has_color_sum_)
+        modes_.derive(context, mode, {lighting_.two_sided(), lighting_.tracks_color(), planes_.any()});
+        if (modes_.has_color_sum())
             has_unlit_color_ = false;
-        has_two_sides_ = lighting_.two_sided();
-        units_ = context.texture.units_in_use();
-        if (const unsigned thirds = units_ >> third_coordinate; thirds != units_with_r_) {
+        if (const unsigned thirds = modes_.units() >> third_coordinate; thirds != units_with_r_) {
             units_with_r_ = thirds;
             invalidate_cache();
         }
-        const PolygonState& polygon = context.polygon;
-        is_flat_shaded_ = polygon.shade_model == GL_FLAT;
-        front_is_ccw_ = polygon.front_face == GL_CCW;
-        for (int clockwise = 0; clockwise < 2; ++clockwise)
-            culls_winding_[clockwise] = is_culled(polygon, front_is_ccw_ == (clockwise == 0));
-        is_capturing_ = !context.render.draws();
-        if constexpr (SPANGLE_FEATURE_POLYGON_MODE) {
-            for (int side = 0; side < 2; ++side)
-                face_mode_[side] = polygon.mode[side];
-            has_outlines_ =
-                (face_mode_[0] != GL_FILL || face_mode_[1] != GL_FILL) && context.render.mode != GL_SELECT;
-        }
-        clips_wide_lines_ = has_clipping && mode_ != GL_POINTS && mode_ <= GL_LINE_STRIP &&
-                            !lines_are_thin(context) && !viewport_holds_window(context);
-        has_two_sided_stencil_ = SPANGLE_FEATURE_STENCIL_SIDES && stencil_sides(context);
-        const bool sampled = has_sample_buffer(context);
-        is_multisampling_ = multisampling(context);
-        has_smooth_polygons_ = SPANGLE_FEATURE_ANTIALIASING && polygon.polygon_smooth && !is_multisampling_;
-        fills_whole_polygons_ = has_smooth_polygons_ || sampled;
-        needs_vertex_state_ = lighting_.tracks_color() || has_outlines() || is_capturing() ||
-                              has_fog_coordinates_ || has_color_index() || has_color_sum_ ||
-                              (mode_ == GL_POLYGON && gathers_polygons()) ||
-                              (tells_reach && is_told(context));
-        has_special_points_ = (SPANGLE_FEATURE_ANTIALIASING && polygon.point_smooth) || sampled ||
-                              ((mode_ == GL_POINTS || has_outlines_) && sizes_points(polygon));
-        has_polygon_offset_ = SPANGLE_FEATURE_POLYGON_OFFSET &&
-                              (polygon.offset_fill || polygon.offset_line || polygon.offset_point);
-        needs_polygon_path_ =
-            has_two_sides_ || clips_to_view_volume() || planes_.any() || has_two_sided_stencil_;
-        needs_polygon_path_ = needs_polygon_path_ || has_polygon_offset() || fills_whole_polygons();
-        has_special_lines_ = (SPANGLE_FEATURE_STIPPLE && polygon.line_stipple) ||
-                             (SPANGLE_FEATURE_ANTIALIASING && polygon.line_smooth) || sampled;
 #if SPANGLE_FEATURE_STIPPLE
-        stipple_.pattern = polygon.stipple_pattern;
-        stipple_.factor = static_cast<std::uint32_t>(polygon.stipple_factor);
+        stipple_.pattern = context.polygon.stipple_pattern;
+        stipple_.factor = static_cast<std::uint32_t>(context.polygon.stipple_factor);
 #endif
-        if constexpr (has_points || SPANGLE_FEATURE_POLYGON_MODE)
-            point_size_ = rounded_size(polygon.point_size);
-        if constexpr (has_lines || SPANGLE_FEATURE_POLYGON_MODE)
-            line_width_ = rounded_size(polygon.line_width);
     }
 
     /// Makes all cached vertices invalid, by a new `cache_epoch_`.
@@ -421,87 +346,10 @@ template <class M, class L> class Pipeline {
         cache_epoch_ = 1;
     }
 
-    static bool is_culled(const PolygonState& p, bool front) {
-        if (!p.cull_face)
-            return false;
-        return p.cull_face_mode == GL_FRONT_AND_BACK || (p.cull_face_mode == GL_FRONT) == front;
-    }
-
-    /// Size of aliased points and width of aliased lines in pixels: rounded, then clamped to 1 to 64 (GL 1.3,
-    /// 3.3 and 3.4.2).
-    SPANGLE_RUN_CALL static std::int32_t rounded_size(Real size) {
-        return numeric::clamp<std::int32_t>(numeric::to_i32_round(size), 1, 64);
-    }
-
-    static bool sizes_points([[maybe_unused]] const PolygonState& p) {
-#if SPANGLE_FEATURE_POINT_PARAMETERS
-        const bool follows = p.point_attenuation[0] != numeric::one ||
-                             p.point_attenuation[1] != numeric::zero ||
-                             p.point_attenuation[2] != numeric::zero;
-        return p.point_sprite || follows || p.point_size < p.point_size_min ||
-               p.point_size_max < p.point_size;
-#else
-        return false;
-#endif
-    }
-    bool has_outlines() const {
-        return SPANGLE_FEATURE_POLYGON_MODE && has_outlines_;
-    }
-    bool has_polygon_offset() const {
-        return SPANGLE_FEATURE_POLYGON_OFFSET && has_polygon_offset_;
-    }
-    bool has_fog() const {
-        return SPANGLE_FEATURE_FOG && has_fog_;
-    }
-    bool needs_vertex_state() const {
-        return (tells_reach || has_color_material || SPANGLE_FEATURE_POLYGON_MODE ||
-                SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_FOG ||
-                raster::has_indices || SPANGLE_FEATURE_SECONDARY_COLOR || SPANGLE_GATHERS_POLYGONS) &&
-               needs_vertex_state_;
-    }
-    bool needs_polygon_path() const {
-        return (SPANGLE_TWO_SIDES || SPANGLE_FEATURE_POLYGON_MODE || SPANGLE_FEATURE_SELECTION ||
-                SPANGLE_FEATURE_FEEDBACK || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_STENCIL_SIDES ||
-                SPANGLE_FEATURE_POLYGON_OFFSET || SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) &&
-               needs_polygon_path_;
-    }
-    bool has_special_lines() const {
-        return (SPANGLE_FEATURE_STIPPLE || SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) &&
-               has_special_lines_;
-    }
-    bool has_special_points() const {
-        return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples || SPANGLE_FEATURE_POINT_PARAMETERS) &&
-               has_special_points_;
-    }
-    bool fills_whole_polygons() const {
-        return (SPANGLE_FEATURE_ANTIALIASING || raster::has_samples) && fills_whole_polygons_;
-    }
-    /// Size of antialiased points and width of antialiased lines in eighths of a pixel, clamped to 8 to 512
-    /// (GL 1.3, 3.3).
-    static std::int32_t eighths(Real size) {
-        return numeric::clamp<std::int32_t>(((numeric::to_fixed(size, 16) >> 12) + 1) >> 1, 8, 512);
-    }
-    /// True if polygons are outlined, captured or antialiased. A polygon is then drawn as a whole, not
-    /// divided into triangles.
-    bool is_drawn_whole() const {
-        return has_outlines() || is_capturing() || fills_whole_polygons();
-    }
-    bool is_capturing() const {
-        return (SPANGLE_FEATURE_SELECTION || SPANGLE_FEATURE_FEEDBACK) && is_capturing_;
-    }
-    bool has_color_index() const {
-        return raster::has_indices && index_bits_ != 0;
-    }
-    /// True if primitives are clipped to the view volume itself, not to the guard band. Outlines draw the
-    /// edges that clipping makes, and selection and feedback report its result. A wide line ends where its
-    /// centre line leaves the volume.
-    bool clips_to_view_volume() const {
-        return has_outlines() || is_capturing() || clips_wide_lines_;
-    }
     /// Planes that a primitive must be clipped by; bit p stands for plane p. `flags` is the union of the
     /// flags of all corners.
     unsigned clip_planes(unsigned flags) const {
-        return clips_to_view_volume() ? flags & outside_mask : (flags & beyond_mask) >> beyond_shift;
+        return modes_.clips_to_view_volume() ? flags & outside_mask : (flags & beyond_mask) >> beyond_shift;
     }
 
     static void set_normal([[maybe_unused]] ObjectVertex& v, [[maybe_unused]] const Real (&normal)[3]) {
@@ -681,7 +529,6 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void capture_clipped_line(Vertex& a, Vertex& b);
 
     // Defined in pipeline_gather.hpp:
-    bool gathers_polygons() const;
     bool has_gathered() const;
     [[gnu::noinline]] void gather(Vertex& v);
     [[gnu::noinline]] void draw_gathered();

@@ -39,7 +39,7 @@ SPANGLE_INLINE void Pipeline<M, L>::draw_face(Vertex* const* c, int provoking) {
 /// the front of corner_.
 template <class M, class L> void Pipeline<M, L>::primitive() {
     Vertex* const* const c = corner_;
-    switch (mode_) {
+    switch (modes_.mode()) {
     case GL_POINTS:
         corner_count_ = 0;
         return point(*c[0]);
@@ -73,9 +73,9 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
     case GL_POLYGON:
         if constexpr (!has_polygons)
             return;
-        if (gathers_polygons())
+        if (modes_.gathers_polygons())
             return gather(*c[0]);
-        if (has_outlines())
+        if (modes_.has_outlines())
             return outlined_fan(false);
         polygon(c, 3, *c[0]);
         break;
@@ -99,17 +99,17 @@ template <class M, class L> void Pipeline<M, L>::primitive() {
 
 /// Begins a POLYGON that is outlined or gathered, not drawn as a fan of filled triangles.
 template <class M, class L> void Pipeline<M, L>::begin_polygon() {
-    if (gathers_polygons())
+    if (modes_.gathers_polygons())
         corners_needed_ = 1;
-    else if (has_outlines())
+    else if (modes_.has_outlines())
         corners_needed_ = 4; // an outlined triangle waits for one vertex more, since the polygon's last
                              // triangle has one boundary more
 }
 
 template <class M, class L> void Pipeline<M, L>::end_polygon() {
-    if (gathers_polygons())
+    if (modes_.gathers_polygons())
         draw_gathered();
-    else if (has_outlines() && corner_count_ == 3)
+    else if (modes_.has_outlines() && corner_count_ == 3)
         outlined_fan(true);
 }
 
@@ -134,15 +134,15 @@ template <class M, class L> void Pipeline<M, L>::outlined_fan(bool last) {
 /// stored from its second vertex on, so that its first vertex comes last. GL leaves open where a clipped quad
 /// begins.
 template <class M, class L> inline int Pipeline<M, L>::first_corner(int n) const {
-    return mode_ == GL_QUADS ? n - 1 : 0;
+    return modes_.mode() == GL_QUADS ? n - 1 : 0;
 }
 
 /// Marks the edges that outlines of a triangle or quad draw. Edge flags apply to separate triangles and quads
 /// only; strips and fans draw all edges (GL 1.3, 2.6.2).
 template <class M, class L> inline void Pipeline<M, L>::flag_edges(Vertex* const* corners, int n) {
-    if (mode_ == GL_POLYGON)
+    if (modes_.mode() == GL_POLYGON)
         return;
-    const bool by_flag = mode_ == GL_TRIANGLES || mode_ == GL_QUADS;
+    const bool by_flag = modes_.mode() == GL_TRIANGLES || modes_.mode() == GL_QUADS;
     for (int i = 0; i < n; ++i) {
         std::uint32_t& flags = corners[i]->flags;
         flags = !by_flag || (flags & edge_flag) != 0 ? flags | boundary : flags & ~boundary;

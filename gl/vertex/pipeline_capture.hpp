@@ -8,9 +8,9 @@ namespace spangle::gl {
 template <class M, class L>
 void Pipeline<M, L>::capture_line(const Corner& a, const Corner& b, const Window& provoking) {
     begin_capture(restarts_stipple_ ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN, 2);
-    restarts_stipple_ = mode_ == GL_LINES;
-    capture_vertex({a.vertex, is_flat_shaded_ ? provoking : a.window});
-    capture_vertex({b.vertex, is_flat_shaded_ ? provoking : b.window});
+    restarts_stipple_ = modes_.mode() == GL_LINES;
+    capture_vertex({a.vertex, modes_.is_flat_shaded() ? provoking : a.window});
+    capture_vertex({b.vertex, modes_.is_flat_shaded() ? provoking : b.window});
 }
 
 /// Begins a primitive that has n corners after clipping. capture_vertex() takes each corner next.
@@ -44,11 +44,11 @@ template <class M, class L> void Pipeline<M, L>::write_feedback_vertex(const Cor
                  is_clipped ? M::narrow(static_cast<const ClippedVertex&>(v).clip)
                             : M::to_clip(transforms_, v.position),
                  out.window);
-    if (has_color_index())
+    if (modes_.has_color_index())
         out.color[0] = M::index_of(corner.window);
     else
         M::color_of(corner.window, out.color);
-    out.colors = has_color_index() ? 1 : 4;
+    out.colors = modes_.has_color_index() ? 1 : 4;
     M::to_reals(is_clipped ? static_cast<const ClippedVertex&>(v).texture
                            : texture_coords_[&v - vertex_slot_],
                 out.texture);

@@ -8,7 +8,8 @@
 namespace spangle::gl {
 
 template <class M, class L> inline bool Pipeline<M, L>::needs_eye() const {
-    return planes_.any() || (SPANGLE_TWO_SIDES && is_lit_ && lighting_.needs_eye()) || has_special_points();
+    return planes_.any() || (SPANGLE_TWO_SIDES && modes_.is_lit() && lighting_.needs_eye()) ||
+           modes_.has_special_points();
 }
 
 /// Makes a ClippedVertex of a vertex: lights the vertex and computes all values that clipping mixes.
@@ -19,15 +20,16 @@ typename Pipeline<M, L>::ClippedVertex& Pipeline<M, L>::to_clip_vertex(Vertex& v
     out.clip = M::clip_point(transforms_, v.position);
     out.flags |= is_clipped_vertex;
 #if SPANGLE_FEATURE_FOG
-    if (has_fog_)
-        out.eye_z = has_fog_coordinates_ ? M::fog_coordinate(v.window) : M::depth(transforms_, v.position);
+    if (modes_.has_fog())
+        out.eye_z =
+            modes_.has_fog_coordinates() ? M::fog_coordinate(v.window) : M::depth(transforms_, v.position);
 #endif
 #if SPANGLE_TWO_SIDES || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
     if (needs_eye())
         out.eye = M::eye_point(transforms_, v.position);
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
-    if (is_capturing())
+    if (modes_.is_capturing())
         out.texture = texture_coords_[&v - vertex_slot_];
 #endif
 #if SPANGLE_TWO_SIDES
@@ -45,11 +47,11 @@ void Pipeline<M, L>::mix(const ClippedVertex& a, const ClippedVertex& b, const t
     [[maybe_unused]] const auto mix_part = [&](auto ClippedVertex::*part) SPANGLE_RUN_LAMBDA {
         out.*part = M::mix(a.*part, b.*part, t);
     };
-    M::mix(a.window, b.window, t, units_, out.window);
+    M::mix(a.window, b.window, t, modes_.units(), out.window);
 #if SPANGLE_FEATURE_FOG
-    if (has_fog_) {
+    if (modes_.has_fog()) {
         out.eye_z = M::mix(a.eye_z, b.eye_z, t);
-        if (has_fog_coordinates_)
+        if (modes_.has_fog_coordinates())
             M::set_fog_coordinate(out.eye_z, out.window);
         else
             M::set_fog(out.eye_z, out.window);
@@ -60,7 +62,7 @@ void Pipeline<M, L>::mix(const ClippedVertex& a, const ClippedVertex& b, const t
         mix_part(&ClippedVertex::eye);
 #endif
 #if SPANGLE_FEATURE_FEEDBACK
-    if (is_capturing())
+    if (modes_.is_capturing())
         mix_part(&ClippedVertex::texture);
 #endif
     out.flags = flags_of(out.clip) | is_clipped_vertex;
@@ -74,7 +76,7 @@ void Pipeline<M, L>::mix(const ClippedVertex& a, const ClippedVertex& b, const t
 }
 
 template <class M, class L> inline int Pipeline<M, L>::clip_volume_scale() const {
-    return clips_to_view_volume() ? 1 : M::guard_band;
+    return modes_.clips_to_view_volume() ? 1 : M::guard_band;
 }
 
 /// True if the vertex is inside of a plane. Planes 0 to 5 are those of the view volume, or of the guard band;

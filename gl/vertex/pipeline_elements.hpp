@@ -45,7 +45,7 @@ template <class M, class L> int Pipeline<M, L>::repeated_elements() const {
     // The modes go from POINTS to POLYGON.
     constexpr std::int8_t repeated[] = {0, 0, -1, 1, 0, 2, -1, 0, 2, -1};
     const bool stippled = SPANGLE_FEATURE_STIPPLE && context_->polygon.line_stipple;
-    return mode_ == GL_LINE_STRIP && stippled ? -1 : repeated[mode_];
+    return modes_.mode() == GL_LINE_STRIP && stippled ? -1 : repeated[modes_.mode()];
 }
 
 template <class M, class L>
@@ -53,7 +53,7 @@ void Pipeline<M, L>::draw_elements(Context& context, const ElementReader& reader
                                    const Indices& indices) {
 #if SPANGLE_VERTEX_CACHE != 1
     if constexpr (raster::has_shortcuts)
-        if (!needs_vertex_state() && reader.seldom == nullptr && reader.vertex.on())
+        if (!modes_.needs_vertex_state() && reader.seldom == nullptr && reader.vertex.on())
             return draw_cached_elements(context, reader, count, indices);
 #endif
     draw_elements_immediate(context, reader, count, indices);
@@ -72,7 +72,7 @@ void Pipeline<M, L>::draw_elements_immediate(Context& context, const ElementRead
         Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
         reader.vertex.read(index, v);
 #if SPANGLE_VERTEX_CACHE != 1
-        if (!raster::has_shortcuts && !needs_vertex_state()) {
+        if (!raster::has_shortcuts && !modes_.needs_vertex_state()) {
             next_element(context.current, cached(index), v);
             continue;
         }
@@ -116,21 +116,21 @@ inline void Pipeline<M, L>::draw_cached_elements(Context& context, const Element
         cache_elements();
     if constexpr (grows_cache)
         grow_cache(context, count);
-    const bool textured = is_common_texture(reader), normals = is_lit_ && reader.normal.on();
+    const bool textured = is_common_texture(reader), normals = modes_.is_lit() && reader.normal.on();
     arrays_begin(reader, current, textured);
-    if (!is_lit_)
+    if (!modes_.is_lit())
         set_unlit_color(current);
     const auto next = [&](Vertex& v) {
         corner_[corner_count_] = &v;
         if (++corner_count_ == corners_needed_)
             primitive();
     };
-    if (!is_common(reader) || (reader.textured || units_ != 0) != textured)
+    if (!is_common(reader) || (reader.textured || modes_.units() != 0) != textured)
         for (std::uint32_t i = 0; i < count; ++i)
             next(general_element(context, reader, indices.at(i)));
     else if (raster::has_shortcuts && draws_lines())
         draw_line_elements(reader, count, indices, normals);
-    else if (raster::has_shortcuts && mode_ == GL_TRIANGLE_STRIP && !needs_polygon_path_)
+    else if (raster::has_shortcuts && modes_.mode() == GL_TRIANGLE_STRIP && !modes_.needs_polygon_path())
         draw_strip_elements(reader, count, indices, normals, textured);
     else
         for (std::uint32_t i = 0; i < count; ++i)
@@ -178,14 +178,14 @@ inline void Pipeline<M, L>::arrays_begin(const ElementReader& reader, const Curr
 }
 
 template <class M, class L> inline bool Pipeline<M, L>::draws_lines() const {
-    return has_lines && mode_ >= GL_LINES && mode_ <= GL_LINE_STRIP;
+    return has_lines && modes_.mode() >= GL_LINES && modes_.mode() <= GL_LINE_STRIP;
 }
 
 /// True if positions have three floats, normals (where they matter) have three floats, and there is no colour
 /// array. Most programs draw such arrays.
 template <class M, class L> inline bool Pipeline<M, L>::is_common(const ElementReader& reader) const {
-    return reader.vertex.is_floats(3) && (!is_lit_ || !reader.normal.on() || reader.normal.is_floats(3)) &&
-           !reader.color.on();
+    return reader.vertex.is_floats(3) &&
+           (!modes_.is_lit() || !reader.normal.on() || reader.normal.is_floats(3)) && !reader.color.on();
 }
 
 /// True if only texture unit 0 is enabled and its coordinates have two floats.
@@ -193,7 +193,8 @@ template <class M, class L> inline bool Pipeline<M, L>::is_common_texture(const 
     bool others = false;
     for (int u = 1; u < texture_units; ++u)
         others = others || reader.tex_coord[u].on();
-    return units_ == 1 && reader.tex_coord[0].is_floats(2) && !others && !has_texgen(0) && !draws_lines();
+    return modes_.units() == 1 && reader.tex_coord[0].is_floats(2) && !others && !has_texgen(0) &&
+           !draws_lines();
 }
 
 template <class M, class L>
@@ -257,13 +258,13 @@ Pipeline<M, L>::common_element(const ElementReader& reader, std::uint32_t index,
     if constexpr (has_normals) {
         if (normals)
             ArrayReader::read_3_floats(reader.normal.words(index), fresh.normal);
-        else if (is_lit_)
+        else if (modes_.is_lit())
             set_normal(fresh, object_vertex_.normal);
     }
     finish(fresh, words);
     if (textured)
         read_texture(reader.tex_coord[0].words(index), fresh);
-    if (!is_lit_ && !(of_now && &fresh == &v))
+    if (!modes_.is_lit() && !(of_now && &fresh == &v))
         M::copy_color(unlit_, fresh.window);
     return fresh;
 }
@@ -298,7 +299,7 @@ template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::add_unprojected(Pending& p, Vertex& v, const std::uint8_t* words) {
     read_position(words, v);
     p.fresh[p.unprojected_count] = &v;
-    p.projections.add(p.unprojected_count++, transforms_, v.position, v.window, has_fog());
+    p.projections.add(p.unprojected_count++, transforms_, v.position, v.window, modes_.has_fog());
 }
 
 /// Draws lines of elements in batches. Each step (transform, division, set-up in the rasterizer) processes a
@@ -333,7 +334,7 @@ void Pipeline<M, L>::draw_lines_of_elements(const ElementReader& reader, std::ui
         Vertex& v = common_element(reader, indices.at(i), normals, false, place, begin);
         v.flags |= is_pending;
         lines.vertex[held++] = &v;
-        if (i == 0 && mode_ == GL_LINE_LOOP) {
+        if (i == 0 && modes_.mode() == GL_LINE_LOOP) {
             divide(lines);
             vertex_slot_[2] = v;
         }
@@ -346,7 +347,7 @@ void Pipeline<M, L>::draw_lines_of_elements(const ElementReader& reader, std::ui
     if (held == 0)
         return;
     lines.vertex[0]->flags &= ~is_pending;
-    if (mode_ == GL_LINE_LOOP && count > 1) { // end() draws the line that closes the loop
+    if (modes_.mode() == GL_LINE_LOOP && count > 1) { // end() draws the line that closes the loop
         corner_[0] = &vertex_slot_[2];
         corner_[1] = lines.vertex[0];
         corner_count_ = 2;
@@ -486,12 +487,13 @@ template <class M, class L> inline void Pipeline<M, L>::divide(Pending& lines) {
 /// from it.
 template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
     divide(p);
-    const int step = mode_ == GL_LINES ? 2 : 1, left = step == 2 ? p.count & 1 : p.count != 0 ? 1 : 0;
+    const int step = modes_.mode() == GL_LINES ? 2 : 1, left = step == 2 ? p.count & 1 : p.count != 0 ? 1 : 0;
     if constexpr (pending_vertices == line_batch + 1)
-        lines(p.vertex, p.count, step, !is_lit_);
+        lines(p.vertex, p.count, step, !modes_.is_lit());
     else
         for (int i = 0; i + 1 < p.count; i += line_batch)
-            lines(p.vertex + i, p.count - i <= line_batch ? p.count - i : line_batch + 1, step, !is_lit_);
+            lines(p.vertex + i, p.count - i <= line_batch ? p.count - i : line_batch + 1, step,
+                  !modes_.is_lit());
     release_drawn(p, left);
 }
 

@@ -10,12 +10,6 @@
 
 namespace spangle::gl {
 
-/// True if the current modes gather polygons.
-template <class M, class L> inline bool Pipeline<M, L>::gathers_polygons() const {
-    return is_capturing() ? SPANGLE_FEATURE_FEEDBACK && context_->render.mode == GL_FEEDBACK
-                          : SPANGLE_FEATURE_ANTIALIASING && has_smooth_polygons_;
-}
-
 /// True if the current polygon was gathered.
 template <class M, class L> inline bool Pipeline<M, L>::has_gathered() const {
 #if SPANGLE_GATHERS_POLYGONS

@@ -12,8 +12,8 @@ namespace spangle::gl {
 /// True if all lines of this draw have one colour, no user plane clips them, and no mode changes how they are
 /// drawn.
 template <class M, class L> inline bool Pipeline<M, L>::draws_places() const {
-    return mode_ == GL_LINE_STRIP && !is_lit_ && !has_fog_ && units_ == 0 && !planes_.any() &&
-           !has_special_lines();
+    return modes_.mode() == GL_LINE_STRIP && !modes_.is_lit() && !modes_.has_fog() && modes_.units() == 0 &&
+           !planes_.any() && !modes_.has_special_lines();
 }
 
 /// Draws a line strip. Where a line is not completely visible, draw_lines_of_elements() draws a batch of
@@ -22,7 +22,7 @@ template <class M, class L>
 template <class I>
 void Pipeline<M, L>::draw_line_strip(const ElementReader& reader, std::uint32_t count, const I indices) {
     const raster::DrawState::Area area =
-        M::inside_viewport(transforms_, raster::strip_area(*state_, line_width_));
+        M::inside_viewport(transforms_, raster::strip_area(*state_, modes_.line_width()));
     if (area.w == 0)
         return draw_lines_of_elements(reader, count, indices, false);
     for (std::uint32_t i = 0; i < count;) {

@@ -14,7 +14,7 @@ void Pipeline<M, L>::draw_special_point([[maybe_unused]] const Vertex& v, const 
     Real size = polygon.point_size;
 #if SPANGLE_FEATURE_POINT_PARAMETERS
     size = attenuated_size(v);
-    if (is_multisampling_)
+    if (modes_.is_multisampling())
         size = fade_point(size, point);
 #endif
     each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
@@ -24,7 +24,7 @@ void Pipeline<M, L>::draw_special_point([[maybe_unused]] const Vertex& v, const 
             return draw_sprite(target, moved, eighths(size));
 #endif
         if constexpr (raster::has_samples)
-            if (is_multisampling_)
+            if (modes_.is_multisampling())
                 return raster::draw_disc(*state_, target, moved, eighths(size));
 #if SPANGLE_FEATURE_ANTIALIASING
         if (polygon.point_smooth)
@@ -86,7 +86,7 @@ void Pipeline<M, L>::draw_sprite(const raster::Surface& target, const Window& po
         corner[i] = point;
         raster::place(corner[i], {right ? at.x + half : at.x - half, top ? at.y + half : at.y - half});
         for (int u = 0; u < texture_units; ++u)
-            if ((units_ >> u & 1) != 0 && polygon.coord_replace[u])
+            if ((modes_.units() >> u & 1) != 0 && polygon.coord_replace[u])
                 M::set_sprite(u, right, top != down, corner[i]);
     }
     for (int i = 1; i < 3; ++i)

@@ -56,7 +56,7 @@ template <class M, class L> void Pipeline<M, L>::transform_with_cache(Vertex& v)
     const bool plain = v.position[3] == numeric::one;
     if (plain && kept.cache_epoch == cache_epoch_ && equal_words<3>(kept.position, v.position)) {
         M::take_place(kept.window_position, v.window);
-        v.flags = is_lit_ ? uncolored : 0;
+        v.flags = modes_.is_lit() ? uncolored : 0;
         return;
     }
     transform_vertex(v);

@@ -17,23 +17,23 @@ template <class M, class L> inline void Pipeline<M, L>::point(Vertex& v) {
 }
 
 template <class M, class L> inline void Pipeline<M, L>::draw_point(const Vertex& v, const Window& window) {
-    if (is_capturing()) {
+    if (modes_.is_capturing()) {
         begin_capture(GL_POINT_TOKEN, 1);
         return capture_vertex({v, window});
     }
-    if (has_special_points())
+    if (modes_.has_special_points())
         return draw_special_point(v, window);
-    raster::draw_point(*state_, context_->drawable.surface, window, point_size_);
+    raster::draw_point(*state_, context_->drawable.surface, window, modes_.point_size());
 }
 
 template <class M, class L>
 inline void Pipeline<M, L>::draw_line(const Vertex& a, const Window& at_a, const Vertex& b,
                                       const Window& at_b, const Window& provoking) {
-    if (is_capturing())
+    if (modes_.is_capturing())
         return capture_line({a, at_a}, {b, at_b}, provoking);
-    if (has_special_lines())
+    if (modes_.has_special_lines())
         return draw_special_line(at_a, at_b, provoking);
-    raster::draw_line(*state_, context_->drawable.surface, at_a, at_b, provoking, line_width_);
+    raster::draw_line(*state_, context_->drawable.surface, at_a, at_b, provoking, modes_.line_width());
 }
 
 /// Draws a line that is stippled or antialiased, or whose drawable has samples. The stipple starts anew with
@@ -42,7 +42,7 @@ template <class M, class L>
 void Pipeline<M, L>::draw_special_line(const Window& a, const Window& b, const Window& provoking) {
     if (restarts_stipple_)
         stipple_.position = 0;
-    restarts_stipple_ = mode_ == GL_LINES;
+    restarts_stipple_ = modes_.mode() == GL_LINES;
     const PolygonState& polygon = context_->polygon;
     const raster::LineStipple start = stipple_;
     each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
@@ -50,7 +50,7 @@ void Pipeline<M, L>::draw_special_line(const Window& a, const Window& b, const W
         [[maybe_unused]] raster::LineStipple* const stipple = polygon.line_stipple ? &stipple_ : nullptr;
         stipple_ = start;
         if constexpr (raster::has_samples)
-            if (is_multisampling_)
+            if (modes_.is_multisampling())
                 return raster::draw_line_rectangle(*state_, target, from, to, provoking,
                                                    eighths(polygon.line_width), stipple);
 #if SPANGLE_FEATURE_ANTIALIASING
@@ -60,16 +60,17 @@ void Pipeline<M, L>::draw_special_line(const Window& a, const Window& b, const W
 #endif
 #if SPANGLE_FEATURE_STIPPLE
         if (polygon.line_stipple)
-            return raster::draw_stippled_line(*state_, target, from, to, provoking, line_width_, stipple_);
+            return raster::draw_stippled_line(*state_, target, from, to, provoking, modes_.line_width(),
+                                              stipple_);
 #endif
-        raster::draw_line(*state_, target, from, to, provoking, line_width_);
+        raster::draw_line(*state_, target, from, to, provoking, modes_.line_width());
     });
 }
 
 template <class M, class L> inline void Pipeline<M, L>::line(Vertex& a, Vertex& b) {
     if constexpr (!has_lines)
         return;
-    if (is_capturing())
+    if (modes_.is_capturing())
         return capture_clipped_line(a, b);
     if constexpr (!raster::has_shortcuts)
         return draw_visible_line(a, b);
@@ -87,28 +88,29 @@ void Pipeline<M, L>::lines(Vertex* const* vertex, int n, int step, bool one_colo
         any |= vertex[i]->flags;
         window[i] = &vertex[i]->window;
     }
-    const bool one_by_one = planes_.any() || has_special_lines();
+    const bool one_by_one = planes_.any() || modes_.has_special_lines();
     if ((any & (outside_mask | beyond_mask | unprojected)) != 0 || one_by_one) [[unlikely]] {
         for (int i = 0; i + 1 < n; i += step)
             draw_visible_line(*vertex[i], *vertex[i + 1]);
         return;
     }
     if ((any & uncolored) != 0)
-        for (int i = is_flat_shaded_ ? 1 : 0; i < n; i += is_flat_shaded_ ? step : 1)
+        for (int i = modes_.is_flat_shaded() ? 1 : 0; i < n; i += modes_.is_flat_shaded() ? step : 1)
             color(*vertex[i]);
     const Window* const painted = one_color ? window[0] : nullptr;
     if constexpr (line_batch > 2)
-        return raster::draw_lines(*state_, context_->drawable.surface, window, n, step, painted, line_width_);
+        return raster::draw_lines(*state_, context_->drawable.surface, window, n, step, painted,
+                                  modes_.line_width());
     for (int i = 0; i + 1 < n; i += step)
         raster::draw_line(*state_, context_->drawable.surface, *window[i], *window[i + 1], *window[i + 1],
-                          line_width_);
+                          modes_.line_width());
 }
 
 /// Draws a line that may lie outside of the view volume.
 template <class M, class L> void Pipeline<M, L>::draw_visible_line(Vertex& a, Vertex& b) {
     if ((a.flags & b.flags & outside_mask) != 0)
         return;
-    if (!is_flat_shaded_)
+    if (!modes_.is_flat_shaded())
         color(a);
     color(b);
     clip_and_draw_line(a, b);
@@ -163,7 +165,7 @@ inline bool Pipeline<M, L>::is_outside_rows([[maybe_unused]] const V&... corner)
 /// Draws a triangle whose last corner is the provoking vertex. polygon() draws triangles that need clipping
 /// or two-sided lighting.
 template <class M, class L> void Pipeline<M, L>::triangle(Vertex& a, Vertex& b, Vertex& c) {
-    draw_common_triangle(a, b, c, needs_polygon_path());
+    draw_common_triangle(a, b, c, modes_.needs_polygon_path());
 }
 
 template <class M, class L>
@@ -180,10 +182,10 @@ SPANGLE_INLINE void Pipeline<M, L>::draw_common_triangle(Vertex& a, Vertex& b, V
         }
     }
     const std::int64_t area = area_of(a.window, b.window, c.window);
-    if (culls_winding_[area < 0 ? 1 : 0] || area == 0 || is_outside_rows(a, b, c))
+    if (modes_.culls(area < 0) || area == 0 || is_outside_rows(a, b, c))
         return;
     if ((any & uncolored) != 0) {
-        if (!is_flat_shaded_)
+        if (!modes_.is_flat_shaded())
             color(a), color(b);
         color(c);
     }
@@ -200,16 +202,16 @@ void Pipeline<M, L>::draw_quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Verte
         return;
     if (refuse_clipping(any))
         return;
-    if (needs_clipping(any) || needs_polygon_path()) {
+    if (needs_clipping(any) || modes_.needs_polygon_path()) {
         Vertex* const corners[4] = {&a, &b, &c, &d};
         return polygon(corners, 4, provoking);
     }
     const std::int64_t first = area_of(a.window, b.window, c.window),
                        second = area_of(a.window, c.window, d.window);
-    if (culls_winding_[first + second > 0 ? 0 : 1] || is_outside_rows(a, b, c, d))
+    if (modes_.culls(first + second <= 0) || is_outside_rows(a, b, c, d))
         return;
     if ((any & uncolored) != 0) {
-        if (!is_flat_shaded_)
+        if (!modes_.is_flat_shaded())
             color(a), color(b), color(c), color(d);
         color(provoking);
     }
@@ -229,7 +231,7 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     }
     if (all != 0 || refuse_clipping(any))
         return;
-    if (has_outlines())
+    if (modes_.has_outlines())
         flag_edges(corners, n);
     unsigned planes = clip_planes(any);
     if (planes_.any()) {
@@ -253,7 +255,7 @@ template <class M, class L> void Pipeline<M, L>::polygon(Vertex* const* corners,
     Vertex* clipped[clip_vertices];
     // A clipped quad is divided by the same diagonal as a whole one. Its colours therefore do not move while
     // it leaves the view volume.
-    if (planes != 0 && n == 4 && !is_drawn_whole()) {
+    if (planes != 0 && n == 4 && !modes_.is_drawn_whole()) {
         Vertex* const first[3] = {corners[0], corners[1], corners[2]};
         Vertex* const second[3] = {corners[0], corners[2], corners[3]};
         polygon(first, 3, provoking);
@@ -293,36 +295,36 @@ inline void Pipeline<M, L>::draw_visible(Vertex* const* corners, int n, Vertex& 
             part[i] = 0;
         area += part[i];
     }
-    if (area == 0 && (n == 3 || whole != 0) && !is_capturing())
+    if (area == 0 && (n == 3 || whole != 0) && !modes_.is_capturing())
         return;
     const bool ccw = area > 0;
-    if (culls_winding_[ccw ? 0 : 1])
+    if (modes_.culls(!ccw))
         return;
-    if (SPANGLE_FEATURE_STENCIL_SIDES && has_two_sided_stencil_)
-        state_ = &draw_state_of(*context_, ccw == front_is_ccw_ ? 0 : 1);
-    if (SPANGLE_TWO_SIDES && ccw != front_is_ccw_ && has_two_sides_)
+    if (SPANGLE_FEATURE_STENCIL_SIDES && modes_.has_two_sided_stencil())
+        state_ = &draw_state_of(*context_, ccw == modes_.front_is_ccw() ? 0 : 1);
+    if (SPANGLE_TWO_SIDES && ccw != modes_.front_is_ccw() && modes_.has_two_sides())
         return draw_back(corners, n, provoking, part);
-    for (int i = 0; i < n && !is_flat_shaded_; ++i)
+    for (int i = 0; i < n && !modes_.is_flat_shaded(); ++i)
         color(*corners[i]);
     color(provoking);
-    draw({corners}, n, provoking.window, ccw == front_is_ccw_ ? 0 : 1, part);
+    draw({corners}, n, provoking.window, ccw == modes_.front_is_ccw() ? 0 : 1, part);
 }
 
 /// Draws a polygon in the polygon mode of its side. at(i) is the coloured window vertex of corner i.
 template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::draw(const VisibleFace& at, int n, const Window& provoking, int side,
                                          const std::int64_t* part) {
-    if (has_polygon_offset() && !is_capturing())
-        set_offset(at, n, face_mode_[side], part);
-    if (has_outlines() && face_mode_[side] != GL_FILL)
-        return outline(at, n, provoking, face_mode_[side]);
-    if (is_capturing()) {
+    if (modes_.has_polygon_offset() && !modes_.is_capturing())
+        set_offset(at, n, modes_.face_mode(side), part);
+    if (modes_.has_outlines() && modes_.face_mode(side) != GL_FILL)
+        return outline(at, n, provoking, modes_.face_mode(side));
+    if (modes_.is_capturing()) {
         begin_capture(GL_POLYGON_TOKEN, n);
         for (int i = first_corner(n), left = n; left > 0; i = i + 1 < n ? i + 1 : 0, --left)
-            capture_vertex({*at.corners[i], is_flat_shaded_ ? provoking : at(i)});
+            capture_vertex({*at.corners[i], modes_.is_flat_shaded() ? provoking : at(i)});
         return;
     }
-    if (fills_whole_polygons())
+    if (modes_.fills_whole_polygons())
         return fill_whole_polygon(at, n, provoking, part);
     for (int i = 1; i + 1 < n; ++i)
         if (part[i] != 0)
@@ -354,7 +356,7 @@ void Pipeline<M, L>::fill_polygon(const Window* const* corner, int n, const Wind
     each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
 #if SPANGLE_FEATURE_ANTIALIASING
         // Nothing is shifted, since POLYGON_SMOOTH has no effect under multisampling.
-        if (has_smooth_polygons_)
+        if (modes_.has_smooth_polygons())
             return raster::draw_smooth_polygon(*state_, target, context_->fragments.primitive, corner, n,
                                                provoking);
 #endif
@@ -391,7 +393,7 @@ template <class M, class L>
 void Pipeline<M, L>::outline(const VisibleFace& at, int n, const Window& provoking, GLenum mode) {
     Vertex* const* const corners = at.corners;
     // A POLYGON is drawn in several parts, and its stipple continues from part to part.
-    restarts_stipple_ = restarts_stipple_ || mode_ != GL_POLYGON;
+    restarts_stipple_ = restarts_stipple_ || modes_.mode() != GL_POLYGON;
     context_->fragments.primitive.stippled = false;
     for (int i = first_corner(n), next = 0, left = n; left > 0; i = next, --left) {
         next = i + 1 < n ? i + 1 : 0;
@@ -402,7 +404,7 @@ void Pipeline<M, L>::outline(const VisibleFace& at, int n, const Window& provoki
             continue;
         }
         Window v = at(i);
-        if (is_flat_shaded_)
+        if (modes_.is_flat_shaded())
             M::copy_color(provoking, v);
         draw_point(*corners[i], v);
     }

@@ -18,9 +18,9 @@ template <class M, class L> void Pipeline<M, L>::record_draw_reach() const {
     tell(Range::SURFACE_WIDTH, surface.width);
     tell(Range::SURFACE_HEIGHT, surface.height);
     tell(Range::BAND_ROWS, surface.area().h);
-    if (mode_ == GL_POINTS || has_outlines())
+    if (modes_.mode() == GL_POINTS || modes_.has_outlines())
         tell(Range::POINT_SIZE, rounded_size(context.polygon.point_size));
-    if ((mode_ != GL_POINTS && mode_ <= GL_LINE_STRIP) || has_outlines())
+    if ((modes_.mode() != GL_POINTS && modes_.mode() <= GL_LINE_STRIP) || modes_.has_outlines())
         tell(Range::LINE_WIDTH, rounded_size(context.polygon.line_width));
 }
 
@@ -36,7 +36,7 @@ void Pipeline<M, L>::record_vertex_reach(const CurrentState& current, const Vert
     M::to_reals(M::to_clip(transforms_, v.position), clip);
     bool divides = !(clip[3] == numeric::one);
     for (int u = 0; u < texture_units; ++u) {
-        if ((units_ >> u & 1) == 0)
+        if ((modes_.units() >> u & 1) == 0)
             continue;
         Real strq[4];
         M::to_reals(texture_of(current, v, u), strq);

@@ -8,7 +8,7 @@ namespace spangle::gl {
 template <class M, class L>
 inline void Pipeline<M, L>::raster_position(Context& context, const Real (&position)[4]) {
     context_ = &context;
-    derive(context);
+    derive(context, GL_POINTS);
     const CurrentState& current = context.current;
     Vertex& v = vertex_slot_[0];
     for (int c = 0; c < 4; ++c)
@@ -27,17 +27,17 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
     v.flags = 0;
     if (tells_reach && is_told(context))
         record_vertex_reach(current, v);
-    if (is_lit_)
+    if (modes_.is_lit())
         light(v, 0, v.window);
     // The framebuffer has either indices or colours. The raster position's other value stays as it was.
-    if (has_color_index()) {
-        if (!is_lit_)
-            M::set_index(current.index, index_bits_, v.window);
+    if (modes_.has_color_index()) {
+        if (!modes_.is_lit())
+            M::set_index(current.index, modes_.index_bits(), v.window);
         out.index = M::index_of(v.window);
     } else {
         for (int c = 0; c < 4; ++c)
             out.color[c] = numeric::clamp01(current.color[c]);
-        if (is_lit_)
+        if (modes_.is_lit())
             M::color_of(v.window, out.color);
     }
     for (int u = 0; u < texture_units; ++u)
@@ -73,7 +73,7 @@ template <class M, class L> void Pipeline<M, L>::process_common(Vertex& v, const
 
 template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::divide(Vertex& v) const {
     typename M::template Projections<1> projection;
-    projection.add(0, transforms_, v.position, v.window, has_fog());
+    projection.add(0, transforms_, v.position, v.window, modes_.has_fog());
     projection.finish(1);
     unsigned planes = 0;
     const bool divided = projection.divide(0, transforms_, v.position, v.window, planes);
@@ -83,7 +83,7 @@ template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::divide(Vertex& v
 template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::set_flags(Vertex& v, bool divided, unsigned planes) const {
     v.flags = divided ? planes : undivided_flags(v);
-    if (is_lit_)
+    if (modes_.is_lit())
         v.flags |= uncolored;
 }
 
@@ -99,9 +99,9 @@ template <class M, class L> unsigned Pipeline<M, L>::undivided_flags(const Verte
 /// Copies the current texture coordinates to a vertex, and the current colour if lighting is off.
 template <class M, class L>
 SPANGLE_INLINE void Pipeline<M, L>::set_attributes_of(const CurrentState& current, Vertex& v) {
-    if (raster::has_textures && units_ != 0)
+    if (raster::has_textures && modes_.units() != 0)
         set_texture_coords(current, v);
-    if (is_lit_)
+    if (modes_.is_lit())
         return;
     set_unlit_color(current);
     M::copy_color(unlit_, v.window);
@@ -111,11 +111,11 @@ template <class M, class L> SPANGLE_INLINE void Pipeline<M, L>::set_unlit_color(
     if (has_unlit_color_ && equal_words<4>(unlit_color_, current.color))
         return;
     M::set_color(unlit_, current.color);
-    if (SPANGLE_FEATURE_SECONDARY_COLOR && has_color_sum_)
+    if (SPANGLE_FEATURE_SECONDARY_COLOR && modes_.has_color_sum())
         M::set_secondary_color(unlit_, current.secondary_color);
     for (int c = 0; c < 4; ++c)
         unlit_color_[c] = current.color[c];
-    has_unlit_color_ = !has_color_sum_; // otherwise the secondary colour would have to be compared, too
+    has_unlit_color_ = !modes_.has_color_sum(); // else the secondary colour would have to be compared, too
 }
 
 /// Returns s, t, r and q of a vertex, after the texture matrix of a unit.
@@ -132,7 +132,7 @@ typename M::Eye Pipeline<M, L>::texture_of(const CurrentState& current, const Ve
 /// True if the coordinates of a unit are generated, or if the unit needs r.
 template <class M, class L> inline bool Pipeline<M, L>::has_texgen(int unit) const {
     return (SPANGLE_FEATURE_TEXGEN || raster::has_third_coordinates) &&
-           ((texgen_.units() | units_ >> third_coordinate) >> unit & 1) != 0;
+           ((texgen_.units() | modes_.units() >> third_coordinate) >> unit & 1) != 0;
 }
 
 template <class M, class L>
@@ -147,7 +147,7 @@ void Pipeline<M, L>::generate_texture_coords(const CurrentState& current, Vertex
 
 template <class M, class L> void Pipeline<M, L>::set_texture_coords(const CurrentState& current, Vertex& v) {
     for (int u = 0; u < texture_units; ++u) {
-        if ((units_ >> u & 1) == 0)
+        if ((modes_.units() >> u & 1) == 0)
             continue;
         if (has_texgen(u))
             generate_texture_coords(current, v, u);
@@ -193,12 +193,12 @@ template <class M, class L> void Pipeline<M, L>::take_vertex_state(const Current
         record_vertex_reach(current, v);
     if (current.edge_flag)
         v.flags |= edge_flag;
-    if (has_fog_coordinates_)
+    if (modes_.has_fog_coordinates())
         M::set_fog_coordinate(M::fog_coordinate(current.fog_coord), v.window);
-    if (has_color_index() && !is_lit_)
-        M::set_index(current.index, index_bits_, v.window);
+    if (modes_.has_color_index() && !modes_.is_lit())
+        M::set_index(current.index, modes_.index_bits(), v.window);
 #if SPANGLE_FEATURE_FEEDBACK
-    if (is_capturing())
+    if (modes_.is_capturing())
         texture_coords_[&v - vertex_slot_] = texture_of(current, v, 0);
 #endif
     if (lighting_.tracks_color()) {
@@ -231,7 +231,7 @@ template <class M, class L> void Pipeline<M, L>::light(Vertex& v) {
 /// Lights the back of a vertex of vertex_slot_, too, before the material changes.
 template <class M, class L> inline void Pipeline<M, L>::color_back([[maybe_unused]] Vertex& v) {
 #if SPANGLE_TWO_SIDES
-    if (!has_two_sides_ || (v.flags & (back_known | is_clipped_vertex)) != 0)
+    if (!modes_.has_two_sides() || (v.flags & (back_known | is_clipped_vertex)) != 0)
         return;
     Window lit;
     light(v, 1, lit);
