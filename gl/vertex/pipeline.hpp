@@ -18,8 +18,11 @@
 #include "gl/vertex/capture.hpp"
 #include "gl/vertex/current_element.hpp"
 #include "gl/vertex/draw_modes.hpp"
+#include "gl/vertex/primitive_assembler.hpp"
 #include "gl/vertex/texgen.hpp"
 #include "gl/vertex/user_planes.hpp"
+#include "gl/vertex/vertex_cache.hpp"
+#include "gl/vertex/vertex_kinds.hpp"
 #include "raster/band/batch_rows.hpp"
 #include "raster/primitive/draw.hpp"
 #include "raster/primitive/line_end.hpp"
@@ -43,22 +46,22 @@ void draw_at_raster_position(const Context& context, const raster::DrawState& st
 template <class M, class L> class Pipeline {
   public:
     using Window = typename M::Window;
+    using Vertex = gl::Vertex<M>;
+    using ClippedVertex = gl::ClippedVertex<M, L>;
 
     void begin(Context& context, GLenum mode) {
         context_ = &context;
-        corners_needed_ = corners_of(mode);
-        corner_count_ = 0;
-        is_odd_triangle_ = false;
+        assembler_.begin(mode, vertex_slot_);
         restarts_stipple_ = true;
         if (begins_outside_band(context))
             return;
-        for (int i = 0; i < slot_count; ++i)
-            corner_[i] = &vertex_slot_[i];
         derive(context, mode);
         if (tells_reach && is_told(context)) [[unlikely]]
             record_draw_reach();
-        if (mode == GL_POLYGON && (modes_.has_outlines() || modes_.gathers_polygons()))
-            begin_polygon();
+        if (mode == GL_POLYGON && modes_.gathers_polygons())
+            assembler_.set_form(PolygonForm::gathered);
+        else if (mode == GL_POLYGON && modes_.has_outlines())
+            assembler_.set_form(PolygonForm::outlined);
         const PrimitiveKind drawn = mode == GL_POINTS       ? PrimitiveKind::points
                                     : mode <= GL_LINE_STRIP ? PrimitiveKind::lines
                                                             : PrimitiveKind::polygons;
@@ -69,13 +72,13 @@ template <class M, class L> class Pipeline {
     SPANGLE_INLINE void vertex(Context& context, Real x, Real y, Real z, Real w) {
         if (is_outside_band())
             return;
-        Vertex& v = *corner_[corner_count_];
+        Vertex& v = assembler_.next();
         const CurrentState& current = context.current;
         v.position[0] = x;
         v.position[1] = y;
         v.position[2] = z;
         v.position[3] = w;
-        set_normal(v, current.normal);
+        v.set_normal(current.normal);
         if constexpr (caches_window_positions)
             transform_with_cache(v);
         else
@@ -83,7 +86,7 @@ template <class M, class L> class Pipeline {
         set_attributes_of(current, v);
         if (modes_.needs_vertex_state())
             take_vertex_state(current, v);
-        if (++corner_count_ == corners_needed_)
+        if (assembler_.take_next())
             primitive();
     }
 
@@ -91,12 +94,8 @@ template <class M, class L> class Pipeline {
     void elements(Context& context, std::uint32_t count, const Indices& indices);
 
     void end() {
-        if (!is_outside_band()) {
-            if (has_lines && modes_.mode() == GL_LINE_LOOP && corner_count_ == 2)
-                line(*corner_[1], *corner_[0]);
-            if (modes_.mode() == GL_POLYGON && (modes_.has_outlines() || modes_.gathers_polygons()))
-                end_polygon();
-        }
+        if (!is_outside_band())
+            assembler_.end(*this);
         if constexpr (skips_batches)
             if (batches_ != nullptr)
                 batches_->end_batch();
@@ -110,100 +109,6 @@ template <class M, class L> class Pipeline {
     void settle_colors();
 
   private:
-    /// Number of the user's first clip plane in sets of planes. Planes 0 to 5 are those of the view volume.
-    static constexpr int user_shift = 6;
-    /// Bits of Vertex::flags:
-    ///   bits 0 to 5        Bit p is set if the vertex is outside of plane p of the view volume.
-    ///   bits 8 to 13       Bit 8 + p is set if plane p of the guard band, near or far must clip the vertex.
-    ///   unprojected        The vertex has no window coordinates yet.
-    ///   uncolored          The vertex is still to be lit.
-    ///   is_clipped_vertex  The vertex is a ClippedVertex.
-    ///   edge_flag          The current edge flag was TRUE when the vertex was given.
-    ///   boundary           The edge that starts at the vertex belongs to the outline of the polygon.
-    ///   is_pending         A primitive of a Pending that uses the vertex is still to be drawn.
-    ///   back_known         The colour of the vertex's back is known, as that of its front is.
-    static constexpr unsigned outside_mask = 0x3F, beyond_shift = 8, beyond_mask = 0x3F << beyond_shift,
-                              unprojected = 1 << 14, uncolored = 1 << 15, is_clipped_vertex = 1 << 16,
-                              edge_flag = 1 << 17, boundary = 1 << 18, is_pending = 1 << 19,
-                              back_known = 1 << 20;
-
-    /// Vertices have normals unless the build has neither lighting nor generated texture coordinates.
-    static constexpr bool has_normals = SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN;
-    /// A vertex as it was given, in object space.
-    struct ObjectVertex {
-        Real position[4]{numeric::zero, numeric::zero, numeric::zero, numeric::one};
-#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN
-        Real normal[3]{};
-#else
-        static constexpr Real normal[3]{};
-#endif
-    };
-    struct Vertex : ObjectVertex {
-        std::uint32_t flags = 0;
-#if SPANGLE_VERTEX_CACHE != 1
-        /// A cached vertex is valid while this equals Pipeline::cache_epoch_, its value when the vertex was
-        /// processed.
-        std::uint32_t cache_epoch = 0;
-        /// s and t as given, from which read_texture() made the texture coordinates of `window`.
-        Real st[2]{};
-#endif
-        Window window{};
-    };
-    /// A vertex that is being clipped, or that clipping made. Clipping mixes its values; other vertices
-    /// compute these values only when needed.
-    struct ClippedVertex : Vertex {
-        typename M::Point clip{};
-#if SPANGLE_FEATURE_FOG
-        typename M::Depth eye_z{}; ///< z in eye space with its sign, or the fog coordinate
-#endif
-#if SPANGLE_TWO_SIDES || SPANGLE_FEATURE_CLIP_PLANES || SPANGLE_FEATURE_POINT_PARAMETERS
-        typename M::Point eye{};
-#endif
-#if SPANGLE_FEATURE_FEEDBACK
-        typename M::Eye texture{}; ///< texture coordinates of unit 0, set in render mode FEEDBACK only
-#endif
-#if SPANGLE_TWO_SIDES
-        typename L::Input light{}; ///< the normal, to light the back with; the front has been lit before
-        typename M::Colors back{}; ///< colours of the back, set where `flags` has back_known
-#endif
-    };
-#if SPANGLE_VERTEX_CACHE != 1
-    /// The vertex cache holds first_vertices elements at first. In builds where the cache may grow, the first
-    /// draw of more elements enlarges it to vertex_cache elements.
-    static constexpr bool grows_cache = SPANGLE_GROWS_CACHE != 0 && raster::has_shortcuts &&
-                                        vertex_cache > 1024 && std::has_single_bit(vertex_cache);
-    static constexpr std::size_t first_vertices = grows_cache ? 128 : vertex_cache;
-    /// The window position of a vertex given by a Vertex command, not as an element of arrays.
-    struct CachedPosition {
-        Real position[3]{}; ///< position in object space as given; its w was 1
-        /// The entry is valid while this equals Pipeline::cache_epoch_, its value when the entry was made.
-        std::uint32_t cache_epoch = 0;
-        typename M::Place window_position{};
-    };
-    /// Sizes of the cache of window positions. cached_position_room is in units of Vertex. More than
-    /// most_cached_positions entries would not fit a host's first-level data cache.
-    static constexpr std::size_t most_cached_positions = 512,
-                                 cached_position_count = std::bit_floor(
-                                     sizeof(Vertex) * vertex_cache / sizeof(CachedPosition) <
-                                             most_cached_positions
-                                         ? sizeof(Vertex) * vertex_cache / sizeof(CachedPosition)
-                                         : most_cached_positions),
-                                 cached_position_room =
-                                     (sizeof(CachedPosition) * cached_position_count + sizeof(Vertex) - 1) /
-                                     sizeof(Vertex),
-                                 cached_position_overlap = cached_position_room < first_vertices
-                                                               ? cached_position_room
-                                                               : first_vertices;
-    /// Vertices that a program may give again. Elements of arrays are found by their index, and vertices of
-    /// Vertex commands by their position. Both kinds share one memory, which holds one kind at a time.
-    union VertexCache {
-        Vertex vertex[first_vertices];
-        CachedPosition cached_position[cached_position_count];
-        VertexCache() : vertex{} {}
-    };
-#endif
-    /// True if this build keeps the window positions of vertices that Vertex commands give.
-    static constexpr bool caches_window_positions = vertex_cache != 1 && raster::has_shortcuts;
     /// True if vertices of line strips bypass the cache. A small cache forgets a vertex before the next strip
     /// asks for it.
     static constexpr bool skips_cache_for_strips =
@@ -213,7 +118,7 @@ template <class M, class L> class Pipeline {
     static constexpr int pending_vertices = (numeric::cheap_branches ? 1 : 4) * line_batch + 1;
     /// True if triangles and quads are drawn as polygons, as all builds without shortcuts do.
     static constexpr bool faces_are_polygons = has_polygons && !raster::has_shortcuts;
-    static constexpr int slot_count = 4;
+    static constexpr int slot_count = PrimitiveAssembler<Vertex>::slot_count;
     /// Number of corners that a quad may have while it is clipped. Each plane of the view volume and of the
     /// user adds at most one corner, and clip_polygon() wants room for two more at every edge. A
     /// ClippedVertex that one plane cut off is used again for the next plane.
@@ -237,20 +142,11 @@ template <class M, class L> class Pipeline {
     raster::BatchRows* batches_ = nullptr;
     const raster::DrawState* state_ = nullptr;
     DrawModes modes_;
-    /// Number of vertices that `corner_` holds, and the number that completes a primitive.
-    int corner_count_ = 0, corners_needed_ = 0;
-    /// True after an odd number of triangles of a strip, and after the first triangle of an outlined polygon.
-    bool is_odd_triangle_ = false;
     /// Bit u is set if unit u needed r when the cached vertices were made.
     unsigned units_with_r_ = 0;
-    bool restarts_stipple_ = false;   ///< true if the next line starts the stipple pattern anew
-    Vertex* corner_[slot_count] = {}; ///< vertices of the current primitive
-    /// Layout of the arrays that the cached vertices came from, in the bits that arrays_begin() defines.
-    unsigned cached_layout_ = 0;
-    ObjectVertex object_vertex_;   ///< position and normal of the current element
-    Real last_draw_color_[4] = {}; ///< current colour during the last draw of elements
-    /// Cached vertices whose `cache_epoch` differs from this are invalid; see invalidate_cache().
-    std::uint32_t cache_epoch_ = 0;
+    bool restarts_stipple_ = false; ///< true if the next line starts the stipple pattern anew
+    PrimitiveAssembler<Vertex> assembler_;
+    ObjectVertex object_vertex_; ///< position and normal of the current element
     raster::LineStipple stipple_;
     typename M::Transforms transforms_;
     L lighting_;
@@ -259,11 +155,6 @@ template <class M, class L> class Pipeline {
     Window unlit_{};           ///< the current colour as the rasterizer takes it
     Real unlit_color_[4] = {}; ///< the current colour from which unlit_ was made
     bool has_unlit_color_ = false;
-#if SPANGLE_VERTEX_CACHE != 1
-    bool caches_positions_ = false; ///< true if vertex_cache_ holds `cached_position`, not `vertex`
-    /// Number of vertices that Vertex commands have given since the last draw of elements.
-    std::uint32_t immediate_count_ = 0;
-#endif
 #if SPANGLE_CLIPPING
     /// Bit i is set if clipped_vertex_[i] is free: it is no corner of the polygon that is being clipped.
     std::uint32_t free_clipped_vertices_ = 0;
@@ -285,16 +176,7 @@ template <class M, class L> class Pipeline {
     /// Texture coordinates of unit 0 of vertex_slot_, set in render mode FEEDBACK.
     typename M::Eye texture_coords_[slot_count];
 #endif
-#if SPANGLE_VERTEX_CACHE != 1
-    VertexCache vertex_cache_;
-    struct GrownCache {
-        Vertex* elements = nullptr; ///< vertex_cache elements in the arena, or null
-        Vertex* base = nullptr;     ///< the elements in use: `elements`, or vertex_cache_.vertex
-        std::uint32_t mask = 0;     ///< mask of the index bits that choose an element
-    };
-    struct FixedCache {};
-    [[no_unique_address]] std::conditional_t<grows_cache, GrownCache, FixedCache> grown_cache_;
-#endif
+    VertexCache<M> cache_;
 #if SPANGLE_CLIPPING
     ClippedVertex clipped_vertex_[clipped_vertex_count];
 #endif
@@ -321,14 +203,14 @@ template <class M, class L> class Pipeline {
             }
             lighting_.derive(context, dirty);
             context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_vertex);
-            invalidate_cache();
+            cache_.invalidate();
         }
         modes_.derive(context, mode, {lighting_.two_sided(), lighting_.tracks_color(), planes_.any()});
         if (modes_.has_color_sum())
             has_unlit_color_ = false;
         if (const unsigned thirds = modes_.units() >> third_coordinate; thirds != units_with_r_) {
             units_with_r_ = thirds;
-            invalidate_cache();
+            cache_.invalidate();
         }
 #if SPANGLE_FEATURE_STIPPLE
         stipple_.pattern = context.polygon.stipple_pattern;
@@ -336,34 +218,10 @@ template <class M, class L> class Pipeline {
 #endif
     }
 
-    /// Makes all cached vertices invalid, by a new `cache_epoch_`.
-    SPANGLE_RUN_CALL void invalidate_cache() {
-        if (++cache_epoch_ != 0)
-            return;
-#if SPANGLE_VERTEX_CACHE != 1
-        clear_cache();
-#endif
-        cache_epoch_ = 1;
-    }
-
     /// Planes that a primitive must be clipped by; bit p stands for plane p. `flags` is the union of the
     /// flags of all corners.
     unsigned clip_planes(unsigned flags) const {
         return modes_.clips_to_view_volume() ? flags & outside_mask : (flags & beyond_mask) >> beyond_shift;
-    }
-
-    static void set_normal([[maybe_unused]] ObjectVertex& v, [[maybe_unused]] const Real (&normal)[3]) {
-#if SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_TEXGEN
-        for (int c = 0; c < 3; ++c)
-            v.normal[c] = normal[c];
-#endif
-    }
-
-    template <int N> static bool equal_words(const Real* a, const Real* b) {
-        std::uint32_t differ = 0;
-        for (int i = 0; i < N; ++i)
-            differ |= a[i].bits ^ b[i].bits;
-        return differ == 0;
     }
 
     /// Vertices of lines and strips that are not drawn yet. `projections` holds the clip coordinates of
@@ -412,22 +270,16 @@ template <class M, class L> class Pipeline {
 
     // Defined in pipeline_position_cache.hpp:
 #if SPANGLE_VERTEX_CACHE != 1
-    [[gnu::noinline]] void cache_positions();
-    [[gnu::noinline]] void cache_elements();
-    [[gnu::noinline]] void clear_cache();
     [[gnu::noinline]] void transform_with_cache(Vertex& v);
-    static std::uint32_t cached_position_index(const Real* position);
 #endif
 
     // Defined in pipeline_elements.hpp:
     void draw_cached_elements(Context& context, const ElementReader& reader, std::uint32_t count,
                               const Indices& indices);
-    void grow_cache(Context& context, std::uint32_t count);
     void arrays_begin(const ElementReader& reader, const CurrentState& current, bool textured);
     bool draws_lines() const;
     bool is_common(const ElementReader& reader) const;
     bool is_common_texture(const ElementReader& reader) const;
-    Vertex& cached(std::uint32_t index);
     void next_element(const CurrentState& current, Vertex& kept, const Real (&position)[4]);
     Vertex& element(const ElementReader& reader, std::uint32_t index);
     SPANGLE_INLINE Vertex& general_element(Context& context, const ElementReader& reader,
@@ -463,7 +315,6 @@ template <class M, class L> class Pipeline {
     void divide(Pending& lines);
     [[gnu::noinline]] void draw_pending(Pending& p);
     SPANGLE_INLINE Vertex& slot_for_vertex(Vertex& cached);
-    [[gnu::noinline]] Vertex* free_slot();
     int repeated_elements() const;
     void draw_elements(Context& context, const ElementReader& reader, std::uint32_t count,
                        const Indices& indices);
@@ -471,16 +322,16 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void draw_elements_immediate(Context& context, const ElementReader& reader,
                                                    std::uint32_t count, const Indices& indices);
 
-    // Defined in pipeline_assembly.hpp:
-    static int corners_of(GLenum mode);
-    void swap(int i, int j);
+    // Defined in pipeline_assembly.hpp, as sink of the assembler:
+    friend PrimitiveAssembler<Vertex>;
     [[gnu::noinline]] void primitive();
-    [[gnu::noinline]] void begin_polygon();
-    [[gnu::noinline]] void end_polygon();
-    [[gnu::noinline]] void outlined_fan(bool last);
+    SPANGLE_INLINE void triangle(Vertex* const* c);
+    SPANGLE_INLINE void quad(Vertex* const* c);
+    void fan(Vertex* const* c);
+    void outlined_fan(Vertex* const* c, bool first, bool last);
+    void gathered();
     void flag_edges(Vertex* const* corners, int n);
     int first_corner(int n) const;
-    template <int N> SPANGLE_INLINE void draw_face(Vertex* const* c, int provoking);
 
     // Defined in pipeline_primitives.hpp:
     void point(Vertex& v);
@@ -500,7 +351,7 @@ template <class M, class L> class Pipeline {
     [[gnu::noinline]] void clip_and_draw_line(Vertex& a, Vertex& b);
     static std::int64_t area_of(const Window& a, const Window& b, const Window& c);
     static std::int64_t area_of(Vertex* const* corners, int n);
-    [[gnu::noinline]] void triangle(Vertex& a, Vertex& b, Vertex& c);
+    [[gnu::noinline]] void draw_triangle(Vertex& a, Vertex& b, Vertex& c);
     SPANGLE_INLINE void draw_common_triangle(Vertex& a, Vertex& b, Vertex& c, bool whole);
     void draw_quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking);
     [[gnu::noinline]] void polygon(Vertex* const* corners, int n, Vertex& provoking);

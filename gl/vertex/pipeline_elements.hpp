@@ -2,7 +2,6 @@
 // are processed in batches.
 #pragma once
 
-#include "gl/context/arena.hpp"
 #include "gl/vertex/pipeline.hpp"
 
 namespace spangle::gl {
@@ -24,9 +23,8 @@ inline void Pipeline<M, L>::elements(Context& context, std::uint32_t count, cons
                 continue;
             const std::uint32_t from = first == 0 ? 0 : first - static_cast<std::uint32_t>(repeated),
                                 end = count - first < step ? count : first + step;
-            corner_count_ = 0;
             // Each piece starts like the first one, so that the triangles of a strip keep their winding.
-            is_odd_triangle_ = false;
+            assembler_.restart();
             draw_elements(context, reader, end - from, indices.from(from));
             if (repeated >= 0)
                 batches_->end_piece();
@@ -45,7 +43,7 @@ template <class M, class L> int Pipeline<M, L>::repeated_elements() const {
     // The modes go from POINTS to POLYGON.
     constexpr std::int8_t repeated[] = {0, 0, -1, 1, 0, 2, -1, 0, 2, -1};
     const bool stippled = SPANGLE_FEATURE_STIPPLE && context_->polygon.line_stipple;
-    return modes_.mode() == GL_LINE_STRIP && stippled ? -1 : repeated[modes_.mode()];
+    return assembler_.mode() == GL_LINE_STRIP && stippled ? -1 : repeated[assembler_.mode()];
 }
 
 template <class M, class L>
@@ -73,7 +71,7 @@ void Pipeline<M, L>::draw_elements_immediate(Context& context, const ElementRead
         reader.vertex.read(index, v);
 #if SPANGLE_VERTEX_CACHE != 1
         if (!raster::has_shortcuts && !modes_.needs_vertex_state()) {
-            next_element(context.current, cached(index), v);
+            next_element(context.current, cache_.element(index), v);
             continue;
         }
 #endif
@@ -89,20 +87,20 @@ void Pipeline<M, L>::draw_elements_immediate(Context& context, const ElementRead
 template <class M, class L>
 inline void Pipeline<M, L>::next_element(const CurrentState& current, Vertex& kept,
                                          const Real (&position)[4]) {
-    const bool known = kept.cache_epoch == cache_epoch_ && equal_words<4>(kept.position, position) &&
+    const bool known = cache_.is_valid(kept) && equal_words<4>(kept.position, position) &&
                        (!has_normals || equal_words<3>(kept.normal, current.normal));
     Vertex& next = slot_for_vertex(kept);
     if (!known) {
         for (int c = 0; c < 4; ++c)
             next.position[c] = position[c];
-        set_normal(next, current.normal);
+        next.set_normal(current.normal);
         transform_vertex(next);
     } else if (&next != &kept) {
         next = kept;
     }
     set_attributes_of(current, next);
-    corner_[corner_count_] = &next;
-    if (++corner_count_ == corners_needed_)
+    assembler_.set_next(next);
+    if (assembler_.take_next())
         primitive();
 }
 
@@ -111,18 +109,14 @@ template <class M, class L>
 inline void Pipeline<M, L>::draw_cached_elements(Context& context, const ElementReader& reader,
                                                  std::uint32_t count, const Indices& indices) {
     CurrentState& current = context.current;
-    immediate_count_ = 0;
-    if (caches_positions_)
-        cache_elements();
-    if constexpr (grows_cache)
-        grow_cache(context, count);
+    cache_.hold_elements(context, count);
     const bool textured = is_common_texture(reader), normals = modes_.is_lit() && reader.normal.on();
     arrays_begin(reader, current, textured);
     if (!modes_.is_lit())
         set_unlit_color(current);
     const auto next = [&](Vertex& v) {
-        corner_[corner_count_] = &v;
-        if (++corner_count_ == corners_needed_)
+        assembler_.set_next(v);
+        if (assembler_.take_next())
             primitive();
     };
     if (!is_common(reader) || (reader.textured || modes_.units() != 0) != textured)
@@ -140,24 +134,6 @@ inline void Pipeline<M, L>::draw_cached_elements(Context& context, const Element
                 [this](Vertex& v, const std::uint8_t* words) { process_common(v, words); }));
 }
 
-#if SPANGLE_GROWS_CACHE
-
-/// Chooses the memory of the cache. The first draw of more than first_vertices elements allocates
-/// vertex_cache elements in the arena. Without memory for them, the small cache stays in use.
-template <class M, class L> inline void Pipeline<M, L>::grow_cache(Context& context, std::uint32_t count) {
-    if (grown_cache_.elements == nullptr && count > first_vertices) {
-        void* const memory = context.arena->allocate(sizeof(Vertex) * vertex_cache);
-        context.render.kept_vertices = memory;
-        if (memory != nullptr)
-            grown_cache_.elements = new (memory) Vertex[vertex_cache];
-    }
-    const bool all = grown_cache_.elements != nullptr;
-    grown_cache_.base = all ? grown_cache_.elements : vertex_cache_.vertex;
-    grown_cache_.mask = static_cast<std::uint32_t>(all ? vertex_cache : first_vertices) - 1;
-}
-
-#endif
-
 /// Makes cached vertices invalid if the layout of the arrays, the current normal or the current colour has
 /// changed. Cached vertices do not record these values.
 template <class M, class L>
@@ -166,15 +142,11 @@ inline void Pipeline<M, L>::arrays_begin(const ElementReader& reader, const Curr
     const unsigned layout = reader.vertex.components() << 8 | reader.normal.components() << 4 |
                             (textured ? 4u : 0u) | (reader.color.on() ? 2u : 0u) |
                             (reader.textured ? 1u : 0u);
-    if (layout != cached_layout_ || !equal_words<4>(last_draw_color_, current.color) ||
-        (!reader.normal.on() && !equal_words<3>(object_vertex_.normal, current.normal)))
-        invalidate_cache();
-    cached_layout_ = layout;
+    cache_.begin_draw(layout, current.color,
+                      !reader.normal.on() && !equal_words<3>(object_vertex_.normal, current.normal));
     object_vertex_.position[2] = numeric::zero; // the array may not have these components
     object_vertex_.position[3] = numeric::one;
-    set_normal(object_vertex_, current.normal);
-    for (int c = 0; c < 4; ++c)
-        last_draw_color_[c] = current.color[c];
+    object_vertex_.set_normal(current.normal);
 }
 
 template <class M, class L> inline bool Pipeline<M, L>::draws_lines() const {
@@ -197,26 +169,17 @@ template <class M, class L> inline bool Pipeline<M, L>::is_common_texture(const 
            !draws_lines();
 }
 
-template <class M, class L>
-inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::cached(std::uint32_t index) {
-    // The address is kept in a register, as base of all accesses to the vertex.
-    if constexpr (grows_cache)
-        return *numeric::kept_in_register(&grown_cache_.base[index & grown_cache_.mask]);
-    else
-        return *numeric::kept_in_register(&vertex_cache_.vertex[numeric::remainder<vertex_cache>(index)]);
-}
-
 /// Returns the vertex of an element, without colour and texture coordinates. A cached vertex is used again if
 /// position and normal in the arrays have not changed.
 template <class M, class L>
 inline typename Pipeline<M, L>::Vertex& Pipeline<M, L>::element(const ElementReader& reader,
                                                                 std::uint32_t index) {
-    Vertex& v = cached(index);
+    Vertex& v = cache_.element(index);
     reader.vertex.read(index, object_vertex_.position);
     if constexpr (has_normals)
         if (reader.normal.on())
             reader.normal.read(index, object_vertex_.normal);
-    if (v.cache_epoch == cache_epoch_ && equal_words<4>(v.position, object_vertex_.position) &&
+    if (cache_.is_valid(v) && equal_words<4>(v.position, object_vertex_.position) &&
         equal_words<3>(v.normal, object_vertex_.normal))
         return v;
     Vertex& fresh = slot_for_vertex(v);
@@ -247,19 +210,19 @@ template <class Place, class Finish>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex&
 Pipeline<M, L>::common_element(const ElementReader& reader, std::uint32_t index, bool normals, bool textured,
                                const Place& place, const Finish& finish) {
-    Vertex& v = cached(index);
+    Vertex& v = cache_.element(index);
     const std::uint8_t* const words = reader.vertex.words(index);
-    const bool of_now = v.cache_epoch == cache_epoch_;
+    const bool of_now = cache_.is_valid(v);
     if (of_now && equal(v.position, words) && (!normals || equal(v.normal, reader.normal.words(index))) &&
         (!textured || equal_texture(v, reader.tex_coord[0].words(index)))) [[likely]]
         return v;
     Vertex& fresh = place(v);
-    fresh.cache_epoch = cache_epoch_;
+    cache_.stamp(fresh);
     if constexpr (has_normals) {
         if (normals)
             ArrayReader::read_3_floats(reader.normal.words(index), fresh.normal);
         else if (modes_.is_lit())
-            set_normal(fresh, object_vertex_.normal);
+            fresh.set_normal(object_vertex_.normal);
     }
     finish(fresh, words);
     if (textured)
@@ -348,9 +311,7 @@ void Pipeline<M, L>::draw_lines_of_elements(const ElementReader& reader, std::ui
         return;
     lines.vertex[0]->flags &= ~is_pending;
     if (modes_.mode() == GL_LINE_LOOP && count > 1) { // end() draws the line that closes the loop
-        corner_[0] = &vertex_slot_[2];
-        corner_[1] = lines.vertex[0];
-        corner_count_ = 2;
+        assembler_.close_loop(vertex_slot_[2], *lines.vertex[0]);
     }
 }
 
@@ -501,24 +462,9 @@ template <class M, class L> void Pipeline<M, L>::draw_pending(Pending& p) {
 /// primitive is there.
 template <class M, class L>
 SPANGLE_INLINE typename Pipeline<M, L>::Vertex& Pipeline<M, L>::slot_for_vertex(Vertex& cached) {
-    Vertex* v = &cached;
-    for (int i = 0; i < corner_count_; ++i)
-        if (corner_[i] == v)
-            v = free_slot();
-    v->cache_epoch = cache_epoch_;
-    return *v;
-}
-
-/// Returns a slot that holds no corner of the current primitive. At most three of the four slots hold one.
-template <class M, class L> typename Pipeline<M, L>::Vertex* Pipeline<M, L>::free_slot() {
-    for (Vertex& v : vertex_slot_) {
-        bool held = false;
-        for (int i = 0; i < corner_count_; ++i)
-            held = held || corner_[i] == &v;
-        if (!held)
-            return &v;
-    }
-    return vertex_slot_;
+    Vertex& v = assembler_.place_beside_corners(cached, vertex_slot_);
+    cache_.stamp(v);
+    return v;
 }
 
 #endif

@@ -22,7 +22,6 @@ template <class M, class L> inline bool Pipeline<M, L>::has_gathered() const {
 /// Adds a vertex to the gathered polygon. When the array in the arena is full, one of twice the size replaces
 /// it.
 template <class M, class L> void Pipeline<M, L>::gather([[maybe_unused]] Vertex& v) {
-    corner_count_ = 0;
 #if SPANGLE_GATHERS_POLYGONS
     if (gathered_count_ == gathered_capacity_) {
         const int room = gathered_capacity_ != 0 ? 2 * gathered_capacity_ : 8;

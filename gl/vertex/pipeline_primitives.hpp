@@ -164,7 +164,7 @@ inline bool Pipeline<M, L>::is_outside_rows([[maybe_unused]] const V&... corner)
 
 /// Draws a triangle whose last corner is the provoking vertex. polygon() draws triangles that need clipping
 /// or two-sided lighting.
-template <class M, class L> void Pipeline<M, L>::triangle(Vertex& a, Vertex& b, Vertex& c) {
+template <class M, class L> void Pipeline<M, L>::draw_triangle(Vertex& a, Vertex& b, Vertex& c) {
     draw_common_triangle(a, b, c, modes_.needs_polygon_path());
 }
 

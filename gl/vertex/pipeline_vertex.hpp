@@ -13,7 +13,7 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
     Vertex& v = vertex_slot_[0];
     for (int c = 0; c < 4; ++c)
         v.position[c] = position[c];
-    set_normal(v, current.normal);
+    v.set_normal(current.normal);
     const typename M::Clip clip = M::to_clip(transforms_, v.position);
     RasterPosition& out = context.current.raster;
     out.valid =
@@ -51,9 +51,9 @@ inline void Pipeline<M, L>::raster_position(Context& context, const Real (&posit
 }
 
 template <class M, class L> inline void Pipeline<M, L>::settle_colors() {
-    for (int i = 0; i < corner_count_; ++i) {
-        color(*corner_[i]);
-        color_back(*corner_[i]);
+    for (int i = 0; i < assembler_.count(); ++i) {
+        color(assembler_.corner(i));
+        color_back(assembler_.corner(i));
     }
     lighting_.materials_changed();
 }
