@@ -2,6 +2,7 @@
 #include <type_traits>
 
 #include "gl/context/features.hpp"
+#include "gl/vertex/draw_at_raster_position.hpp"
 #include "gl/vertex/engine.hpp"
 #include "gl/vertex/fixed_math.hpp"
 #include "gl/vertex/pipeline.hpp"

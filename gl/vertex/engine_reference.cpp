@@ -4,6 +4,7 @@
 
 #include "gl/context/features.hpp"
 #include "gl/vertex/double_math.hpp"
+#include "gl/vertex/draw_at_raster_position.hpp"
 #include "gl/vertex/engine.hpp"
 #include "gl/vertex/pipeline.hpp"
 #include "gl/vertex/reference.hpp"

@@ -1,21 +1,46 @@
 // Captures primitives for selection and feedback, in place of drawing them (GL 1.3, 5.2 and 5.3).
+//
+// CaptureSink owns nothing. It takes the token of a primitive and then each of its corners after clipping. It
+// promises a hit or the words of feedback for each, as the render mode asks.
 #pragma once
 
-#include "gl/vertex/pipeline.hpp"
+#include "gl/vertex/capture.hpp"
+#include "gl/vertex/clipper.hpp"
 
 namespace spangle::gl {
 
-template <class M, class L>
-void Pipeline<M, L>::capture_line(const Corner& a, const Corner& b, const Window& provoking) {
-    begin_capture(restarts_stipple_ ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN, 2);
-    restarts_stipple_ = modes_.mode() == GL_LINES;
-    capture_vertex({a.vertex, modes_.is_flat_shaded() ? provoking : a.window});
-    capture_vertex({b.vertex, modes_.is_flat_shaded() ? provoking : b.window});
-}
+template <class M, class L> class CaptureSink : public Clipper<M, L> {
+    using Base = Clipper<M, L>;
+
+  public:
+    using Window = typename M::Window;
+    using Vertex = gl::Vertex<M>;
+    using ClippedVertex = gl::ClippedVertex<M, L>;
+
+    struct Corner {
+        const Vertex& vertex;
+        const Window& window; ///< window vertex of the side that is seen
+    };
+    [[gnu::noinline]] void begin_capture(GLenum token, int n);
+    [[gnu::noinline]] void capture_vertex(const Corner& corner);
+
+  protected:
+    using Base::context_;
+    using Base::modes_;
+    using Base::transforms_;
+    using Base::vertex_slot_;
+#if SPANGLE_FEATURE_FEEDBACK
+    using Base::texture_coords_;
+#endif
+
+#if SPANGLE_FEATURE_FEEDBACK
+    void write_feedback_vertex(const Corner& corner);
+#endif
+};
 
 /// Begins a primitive that has n corners after clipping. capture_vertex() takes each corner next.
 template <class M, class L>
-void Pipeline<M, L>::begin_capture([[maybe_unused]] GLenum token, [[maybe_unused]] int n) {
+void CaptureSink<M, L>::begin_capture([[maybe_unused]] GLenum token, [[maybe_unused]] int n) {
 #if SPANGLE_FEATURE_FEEDBACK
     if (context_->render.mode != GL_FEEDBACK)
         return;
@@ -25,7 +50,7 @@ void Pipeline<M, L>::begin_capture([[maybe_unused]] GLenum token, [[maybe_unused
 #endif
 }
 
-template <class M, class L> void Pipeline<M, L>::capture_vertex([[maybe_unused]] const Corner& corner) {
+template <class M, class L> void CaptureSink<M, L>::capture_vertex([[maybe_unused]] const Corner& corner) {
 #if SPANGLE_FEATURE_SELECTION
     if (context_->render.mode == GL_SELECT)
         return record_hit(*context_, M::depth_word(corner.vertex.window));
@@ -36,7 +61,8 @@ template <class M, class L> void Pipeline<M, L>::capture_vertex([[maybe_unused]]
 }
 
 #if SPANGLE_FEATURE_FEEDBACK
-template <class M, class L> void Pipeline<M, L>::write_feedback_vertex(const Corner& corner) {
+
+template <class M, class L> void CaptureSink<M, L>::write_feedback_vertex(const Corner& corner) {
     const Vertex& v = corner.vertex;
     const bool is_clipped = (v.flags & is_clipped_vertex) != 0;
     FeedbackVertex out;
@@ -54,15 +80,7 @@ template <class M, class L> void Pipeline<M, L>::write_feedback_vertex(const Cor
                 out.texture);
     feed_vertex(*context_, out);
 }
-#endif
 
-template <class M, class L> void Pipeline<M, L>::capture_clipped_line(Vertex& a, Vertex& b) {
-    const unsigned both = a.flags & b.flags;
-    if ((both & outside_mask) != 0)
-        return;
-    color(a);
-    color(b);
-    clip_and_draw_line(a, b);
-}
+#endif
 
 } // namespace spangle::gl
