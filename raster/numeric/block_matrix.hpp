@@ -51,9 +51,9 @@ namespace detail {
 
 inline constexpr std::int32_t no_exponent = -0x10000;
 
-/// The least n for which 2^n > |v|.
+/// The least n for which 2^n > |v|. v is not 0.
 constexpr std::int32_t width(Block v) {
-    return v.e + 32 - clz32(abs_u32(v.m));
+    return v.e + block_bits;
 }
 
 /// Finds the exponent of each column from its largest element. The matrix is column-major and has `rows`
@@ -101,7 +101,7 @@ SPANGLE_RUN_INLINE constexpr std::int32_t scale_words(int n, const Block* a, int
         std::uint64_t sum = 0;
         for (int j = 0; j < n; ++j) {
             const Block v = a[stride * j];
-            out[j] = scale_saturate(v.m, v.e + 31 - exponent - column[j]);
+            out[j] = v.m == 0 ? 0 : scale_saturate(v.m, v.e + 31 - exponent - column[j]);
             sum += abs_u32(out[j]);
         }
         if (sum < std::uint64_t{1} << 31)

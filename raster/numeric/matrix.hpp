@@ -65,6 +65,12 @@ constexpr Element make_element(std::int64_t v, std::int32_t e) {
 }
 
 constexpr Element to_element(Real v) {
+    const std::uint32_t biased = v.bits >> 23 & 255;
+    if (runs_inline && biased >= 8) { // this branch is only faster: 24 bits need no rounding
+        const auto m = static_cast<std::int32_t>((v.bits & 0x7FFFFF) << 7 | 1u << 30);
+        return {(v.bits >> 31) != 0 ? -m : m,
+                static_cast<std::int8_t>(static_cast<std::int32_t>(biased) - 157 - element_bias)};
+    }
     const detail::Unpacked u = detail::unpack(v);
     const auto m = static_cast<std::int64_t>(u.mantissa);
     return make_element(u.negative ? -m : m, u.exponent);
@@ -77,6 +83,10 @@ constexpr Real to_real(Element v) {
     return pack_real(v.m < 0, abs_u32(v.m), v.e + element_bias);
 }
 constexpr Block to_block(Element v) {
+    if (runs_inline && abs_u32(v.m) >> 30 != 0) { // this branch is only faster
+        const std::int32_t half = (v.m >> 1) + (v.m & 1);
+        return {half > block_max ? block_max : half, v.e + element_bias + 1};
+    }
     return make_block(v.m, v.e + element_bias);
 }
 
@@ -174,6 +184,38 @@ SPANGLE_INLINE constexpr bool is_unit(const Element* column, int n, int j) {
     return others == 0 && column[j].m == Matrix::one && column[j].e == Matrix::one_e;
 }
 
+/// Returns a times b, as sum_of_products() does for a sum that has no other term.
+SPANGLE_INLINE constexpr Element only_product(Element a, Element b) {
+    if (b.m == Matrix::one && b.e == Matrix::one_e)
+        return a;
+    const std::int64_t v = mul_s32(a.m, b.m);
+    const std::int32_t e = a.e + b.e + 2 * element_bias;
+    // A sum has room for one bit less than the largest product.
+    return clz64(abs_u64(v)) < 3 ? make_element(shift_right_round(v, 1), e + 1) : make_element(v, e);
+}
+
+/// Does the work of multiply_column() for 4 x 4 matrices. Elements that are 0 add nothing to a sum, so this
+/// leaves them out.
+SPANGLE_INLINE constexpr void multiply_sparse_column(const Matrix& a, const Matrix& b, int j, Matrix& r) {
+    int at[4] = {}, count = 0; // elements of b's column that are not 0
+    for (int k = 0; k < 4; ++k)
+        if (b.m[4 * j + k] != 0)
+            at[count++] = k;
+    for (int i = 0; i < 4; ++i) {
+        Element row[4], column[4];
+        int n = 0;
+        for (int k = 0; k < count; ++k)
+            if (a.m[4 * at[k] + i] != 0) {
+                row[n] = a.at(i, at[k]);
+                column[n++] = b.at(at[k], j);
+            }
+        r.set(i, j,
+              n == 0   ? Element{}
+              : n == 1 ? only_product(row[0], column[0])
+                       : sum_of_products(row, column, n));
+    }
+}
+
 /// Writes column j of a * b to r, which holds column j of a. Rows and columns have `half` elements: 4, or 3
 /// for 3 x 3 matrices, for which `rest` holds further bits of b. `half` decides, and not `rest`, because
 /// compilers do not know that its address is not null.
@@ -186,6 +228,8 @@ SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix&
         column[i] = rest[i - half];
     if (runs_inline && is_unit(column, n, j)) // a faster way to the same result
         return;
+    if (runs_inline && half == 4) // this branch is only faster
+        return multiply_sparse_column(a, b, j, r);
     for (int i = 0; i < 4; ++i) {
         Element row[6];
         gather(a, i, 4, half, row);
