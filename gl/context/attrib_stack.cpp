@@ -29,8 +29,7 @@ constexpr GLbitfield bit(Group group) {
     return 1u << static_cast<unsigned>(group);
 }
 
-// The 21 groups of GL 1.3, table 6.4. Other bits of a mask are ignored.
-constexpr GLbitfield server_groups = 0x200FFFFF;
+// Other bits of a mask than those of server_groups are ignored.
 static_assert(bit(Group::scissor) == GL_SCISSOR_BIT && bit(Group::multisample) == GL_MULTISAMPLE_BIT);
 
 GLbitfield client_groups(GLbitfield mask) {
@@ -38,9 +37,19 @@ GLbitfield client_groups(GLbitfield mask) {
            ((mask & GL_CLIENT_VERTEX_ARRAY_BIT) != 0 ? bit(Group::client_vertex_array) : 0);
 }
 
+/// True if whole chunks are saved, not runs. Few comparisons then tell that most groups have not changed.
+bool saves_chunks(GLbitfield groups) {
+    return joins_saved_runs && groups == server_groups;
+}
+
 /// Returns the number of bytes of the context that the groups save.
 std::size_t kept_bytes(GLbitfield groups) {
     std::size_t all = 0;
+    if (saves_chunks(groups)) {
+        for (const SavedChunk& chunk : saved_chunks())
+            all += units_of(chunk.unit_step) * chunk.bytes;
+        return all;
+    }
     each_saved_run(groups, [&](const SavedRun& run) { all += units_of(run.unit_step) * run.bytes; });
     return all;
 }
@@ -59,8 +68,30 @@ SPANGLE_INLINE void move_bytes(Context& context, unsigned char* held, unsigned c
     }
 }
 
+/// Saves or restores the chunks of all server groups. The runs of a chunk are compared only if the chunk
+/// differs.
+void move_chunks(Context& context, unsigned char* saved, Move move) {
+    for (const SavedChunk& chunk : saved_chunks()) {
+        unsigned char* held = reinterpret_cast<unsigned char*>(&context) + chunk.offset;
+        std::uint32_t units = units_of(chunk.unit_step);
+        do {
+            if (move == Move::save)
+                std::memcpy(saved, held, chunk.bytes);
+            else if (std::memcmp(held, saved, chunk.bytes) != 0)
+                for (const SavedRun& run : saved_runs().subspan(chunk.first, chunk.count)) {
+                    const std::size_t at = std::size_t{run.offset} - chunk.offset;
+                    move_bytes(context, held + at, saved + at, run.bytes, run.dirty, move);
+                }
+            held += chunk.unit_step;
+            saved += chunk.bytes;
+        } while (--units != 0);
+    }
+}
+
 /// Saves or restores all bytes of the context that the groups save.
 void move_kept(Context& context, GLbitfield groups, unsigned char* saved, Move move) {
+    if (saves_chunks(groups))
+        return move_chunks(context, saved, move);
     each_saved_run(groups, [&](const SavedRun& run) {
         unsigned char* held = reinterpret_cast<unsigned char*>(&context) + run.offset;
         std::uint32_t units = units_of(run.unit_step);

@@ -57,7 +57,48 @@ constexpr auto runs = [] {
     return kept;
 }();
 
+/// A gap of more bytes than alignment needs ends a chunk.
+constexpr std::size_t widest_gap = 4;
+
+struct Chunks {
+    std::array<SavedChunk, runs.size()> chunk{};
+    std::size_t count = 0;
+};
+constexpr Chunks join_neighbours() {
+    Chunks all;
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const SavedRun& run = runs[i];
+        if ((run.groups & server_groups) == 0) {
+            end = 0;
+            continue;
+        }
+        const bool joins =
+            end != 0 && all.chunk[all.count - 1].unit_step == run.unit_step && run.offset < end + widest_gap;
+        if (!joins)
+            all.chunk[all.count++] = {run.offset, 0, run.unit_step, static_cast<std::uint16_t>(i), 0};
+        SavedChunk& chunk = all.chunk[all.count - 1];
+        const std::size_t run_end = std::size_t{run.offset} + run.bytes;
+        end = joins ? std::max(end, run_end) : run_end;
+        chunk.bytes = static_cast<std::uint16_t>(end - chunk.offset);
+        ++chunk.count;
+    }
+    return all;
+}
+
+constexpr auto chunks = [] {
+    constexpr Chunks all = join_neighbours();
+    std::array<SavedChunk, all.count> kept{};
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        kept[i] = all.chunk[i];
+    return kept;
+}();
+
 } // namespace
+
+std::span<const SavedChunk> saved_chunks() {
+    return chunks;
+}
 
 std::span<const SavedRun> saved_runs() {
     return runs;

@@ -32,6 +32,20 @@ inline constexpr bool joins_saved_runs = numeric::wide_words;
 /// Returns the table of all runs, which is empty unless joins_saved_runs.
 std::span<const SavedRun> saved_runs();
 
+/// All 21 groups of PushAttrib (GL 1.3, table 6.4).
+inline constexpr std::uint32_t server_groups = 0x200FFFFF;
+
+/// Neighbouring runs, saved and compared as one where all server groups are saved. Bytes between them belong
+/// to no group. Such bytes are saved, too, but only the runs are restored.
+struct SavedChunk {
+    std::uint16_t offset = 0, bytes = 0; ///< place and length of the first unit's chunk in Context
+    std::uint16_t unit_step = 0;         ///< as in SavedRun
+    std::uint16_t first = 0, count = 0;  ///< the runs of the chunk in saved_runs()
+};
+
+/// Returns the chunks of all runs that a server group saves. The table is empty unless joins_saved_runs.
+std::span<const SavedChunk> saved_chunks();
+
 /// Calls visit(run) for every run that at least one of the groups saves, always in the same order.
 template <class Visit> SPANGLE_INLINE void each_saved_run(std::uint32_t groups, Visit visit) {
     if constexpr (joins_saved_runs) {
