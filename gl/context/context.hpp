@@ -54,15 +54,20 @@ enum Gate : std::uint8_t {
 
 /// Derived state that must be computed again before the next primitive. Code that changes state calls
 /// changed(), and code that derives state clears the bits.
-enum Dirty : std::uint8_t {
+enum Dirty : std::uint16_t {
     dirty_none = 0,
-    dirty_others = 1,     ///< clip planes, texture coordinate generation, and switches of vertices
-    dirty_fragment = 2,   ///< sources of raster::FragmentState, the drawable included
-    dirty_matrices = 4,   ///< matrix stacks, viewport and depth range
-    dirty_lights = 8,     ///< lights and the light model
-    dirty_materials = 16, ///< materials, even if they follow the current colour
-    dirty_vertex = dirty_others | dirty_matrices | dirty_lights | dirty_materials,
-    dirty_all = 0xFF,
+    dirty_others = 1,            ///< clip planes, texture units and their generated coordinates, and fog
+    dirty_fragment = 2,          ///< sources of raster::FragmentState, the drawable included
+    dirty_modelview = 4,         ///< the modelview matrix
+    dirty_projection = 8,        ///< the projection matrix
+    dirty_texture_matrices = 16, ///< the texture matrices of all units
+    dirty_viewport = 32,         ///< viewport and depth range
+    dirty_lights = 64,           ///< lights and the light model
+    dirty_materials = 128,       ///< materials, even if they follow the current colour
+    dirty_normals = 256,         ///< LIGHTING, NORMALIZE and RESCALE_NORMAL
+    dirty_transform = dirty_modelview | dirty_projection | dirty_texture_matrices | dirty_viewport,
+    dirty_vertex = dirty_others | dirty_transform | dirty_lights | dirty_materials | dirty_normals,
+    dirty_all = 0xFFFF,
 };
 
 /// The drawable as EGL describes it, for DrawBuffer, ReadBuffer and queries of bit depths.
@@ -98,8 +103,8 @@ constexpr bool is_indexed(const Drawable& drawable) {
 }
 
 struct Context {
-    std::uint8_t gate = 0;          ///< set of Gate bits
-    std::uint8_t dirty = dirty_all; ///< set of Dirty bits
+    std::uint8_t gate = 0;           ///< set of Gate bits
+    std::uint16_t dirty = dirty_all; ///< set of Dirty bits
     GLenum error_code = GL_NO_ERROR;
 #if SPANGLE_MESSAGES
     PendingError pending_error; ///< error whose message has not been sent
@@ -142,7 +147,7 @@ struct Context {
     TransformState transform;
 
     void changed(Dirty bits) {
-        dirty = static_cast<std::uint8_t>(dirty | bits);
+        dirty = static_cast<std::uint16_t>(dirty | bits);
     }
     bool inside_begin_end() const {
         return (gate & gate_inside) != 0;

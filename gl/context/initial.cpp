@@ -113,7 +113,7 @@ struct Image {
 
 consteval Image initial_image() {
     Image image;
-    image.put(offsetof(Context, dirty), std::uint8_t{dirty_all});
+    image.put(offsetof(Context, dirty), std::uint16_t{dirty_all});
 #define PUT(CHAPTER)                                                                                         \
     decltype(Context::CHAPTER) CHAPTER;                                                                      \
     image.put(offsetof(Context, CHAPTER), CHAPTER);

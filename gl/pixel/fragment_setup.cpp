@@ -336,7 +336,7 @@ const raster::DrawState& draw_state(Context& context, PrimitiveKind drawn, raste
         }
 #endif
         record_states(context);
-        context.dirty = static_cast<std::uint8_t>(context.dirty & ~dirty_fragment);
+        context.dirty = static_cast<std::uint16_t>(context.dirty & ~dirty_fragment);
     }
     return cache.state;
 }

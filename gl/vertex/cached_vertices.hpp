@@ -31,6 +31,8 @@ template <class M, class L> class CachedVertices : public PrimitiveSink<M, L> {
     SPANGLE_INLINE Vertex& common_element(const ElementReader& reader, std::uint32_t index, bool normals,
                                           bool textured, const Place& place, const Finish& finish);
     SPANGLE_INLINE Vertex& slot_for_vertex(Vertex& cached);
+    SPANGLE_INLINE bool is_valid(Vertex& v);
+    [[gnu::noinline]] bool recolor(Vertex& v);
 #endif
 
   protected:
@@ -64,15 +66,15 @@ template <class M, class L> void CachedVertices<M, L>::transform_with_cache(Vert
     cache_.place(v, modes_.is_lit() ? uncolored : 0, [this](Vertex& fresh) { transform_vertex(fresh); });
 }
 
-/// Makes cached vertices invalid if the layout of the arrays, the current normal or the current colour has
-/// changed. Cached vertices do not record these values.
+/// Makes cached vertices invalid if the layout of the arrays or the current normal has changed, and colours
+/// of unlit vertices if the current colour has changed. Cached vertices do not record these values.
 template <class M, class L>
 inline void CachedVertices<M, L>::arrays_begin(const ElementReader& reader, const CurrentState& current,
                                                bool textured) {
     const unsigned layout = reader.vertex.components() << 8 | reader.normal.components() << 4 |
                             (textured ? 4u : 0u) | (reader.color.on() ? 2u : 0u) |
                             (reader.textured ? 1u : 0u);
-    cache_.begin_draw(layout, current.color,
+    cache_.begin_draw(layout, current.color, !modes_.is_lit(),
                       !reader.normal.on() && !equal_words<3>(object_vertex_.normal, current.normal));
     object_vertex_.position[2] = numeric::zero; // the array may not have these components
     object_vertex_.position[3] = numeric::one;
@@ -96,6 +98,24 @@ inline bool CachedVertices<M, L>::is_common_texture(const ElementReader& reader)
            !draws_lines();
 }
 
+/// True if a cached vertex is of now. A vertex of which only the colours are invalid is coloured anew.
+template <class M, class L> SPANGLE_INLINE bool CachedVertices<M, L>::is_valid(Vertex& v) {
+    return cache_.is_valid(v) || (VertexCache<M>::keeps_positions && recolor(v));
+}
+
+/// Colours a vertex anew if only its colours are invalid; lit vertices wait for color(). False: the vertex is
+/// invalid.
+template <class M, class L> bool CachedVertices<M, L>::recolor(Vertex& v) {
+    if (!cache_.has_valid_position(v))
+        return false;
+    cache_.stamp(v);
+    if (modes_.is_lit())
+        v.flags |= uncolored;
+    else
+        M::copy_color(unlit_, v.window);
+    return true;
+}
+
 /// Returns the vertex of an element, without colour and texture coordinates. A cached vertex is used again if
 /// position and normal in the arrays have not changed.
 template <class M, class L>
@@ -107,7 +127,7 @@ inline typename CachedVertices<M, L>::Vertex& CachedVertices<M, L>::element(cons
     if (reader.normal.on())
         reader.normal.read(index, object_vertex_.normal);
 #endif
-    if (cache_.is_valid(v) && equal_words<4>(v.position, object_vertex_.position) &&
+    if (is_valid(v) && equal_words<4>(v.position, object_vertex_.position) &&
         equal_words<3>(v.normal, object_vertex_.normal))
         return v;
     Vertex& fresh = slot_for_vertex(v);
@@ -140,7 +160,7 @@ CachedVertices<M, L>::common_element(const ElementReader& reader, std::uint32_t 
                                      bool textured, const Place& place, const Finish& finish) {
     Vertex& v = cache_.element(index);
     const std::uint8_t* const words = reader.vertex.words(index);
-    const bool of_now = cache_.is_valid(v);
+    const bool of_now = is_valid(v);
     if (of_now && equal(v.position, words) && (!normals || equal(v.normal, reader.normal.words(index))) &&
         (!textured || equal_texture(v, reader.tex_coord[0].words(index)))) [[likely]]
         return v;

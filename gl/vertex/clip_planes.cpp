@@ -14,7 +14,7 @@ void ClipPlane(Context& context, GLenum plane, Real a, Real b, Real c, Real d) {
     if (plane - GL_CLIP_PLANE0 >= max_clip_planes)
         return error(context, GL_INVALID_ENUM);
     to_eye_plane(context.transform, {a, b, c, d}, context.transform.clip_plane[plane - GL_CLIP_PLANE0]);
-    context.changed(dirty_vertex);
+    context.changed(dirty_others);
 }
 
 void GetClipPlane(Context& context, GLenum plane, GLdouble* equation) {

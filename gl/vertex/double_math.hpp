@@ -53,7 +53,8 @@ struct DoubleMath {
 
     static double number(Real v) { return numeric::to_double(v); }
 
-    static void derive(const TransformState& state, Transforms& out) {
+    /// Derives all values anew, whatever has changed.
+    static void derive(const TransformState& state, unsigned, Transforms& out) {
         out.to_eye = matrix(state.modelview.entry[state.modelview.top]);
         out.to_clip = multiply(matrix(state.projection.entry[state.projection.top]), out.to_eye);
         for (int u = 0; u < texture_units; ++u)

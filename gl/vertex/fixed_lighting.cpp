@@ -172,15 +172,21 @@ constexpr numeric::Unit3 toward_viewer{{0, 0, numeric::unit_one}};
 } // namespace
 
 void FixedLighting::derive(const Context& context, unsigned dirty) {
-    if ((dirty & (dirty_lights | dirty_others)) != 0)
+    if ((dirty & (dirty_lights | dirty_normals)) != 0)
         derive_lights(context);
     else if ((dirty & dirty_materials) != 0)
         has_material_products_ = false;
-    // Where normals are made unit, derive_normals() keeps no product of a light and the normal matrix. A
-    // change of lights alone then needs no new call.
-    const unsigned asked = dirty_matrices | dirty_others | (makes_unit_normals() ? dirty_none : dirty_lights);
-    if (is_enabled_ && (dirty & asked) != 0)
+    if (!is_enabled_)
+        return;
+    // Where normals are made unit, there is no product of a light and the normal matrix. A change of lights
+    // alone then needs neither.
+    const unsigned asked = dirty_modelview | dirty_normals;
+    const bool faces = (dirty & dirty_lights) != 0 && !makes_unit_normals();
+    if ((dirty & asked) != 0 || (!keeps_normals && faces))
         derive_normals(context.transform);
+    else if constexpr (keeps_normals)
+        if (faces)
+            face_lights(kept_normals_);
 }
 
 /// Derives everything that does not depend on the matrices. Lights do not depend on them, since they are
@@ -212,7 +218,7 @@ void FixedLighting::derive_lights(const Context& context) {
     }
 }
 
-/// Derives the normal matrix and `facing` of each directional light.
+/// Derives the normal matrix and what depends on it.
 void FixedLighting::derive_normals(const TransformState& transform) {
     const numeric::NormalMatrix normal = FixedMath::normal_matrix(transform);
     // This build multiplies normals with `facing` of each light only, not with the normal matrix.
@@ -225,6 +231,12 @@ void FixedLighting::derive_normals(const TransformState& transform) {
         has_material_products_ = has_material_products_ && common == rows_share_exponent_;
         rows_share_exponent_ = common;
     }
+    face_lights(normal);
+    if constexpr (keeps_normals)
+        kept_normals_ = normal;
+}
+
+void FixedLighting::face_lights(const numeric::NormalMatrix& normal) {
     for (int i = 0; i < light_count_; ++i)
         if (lights_[i].directional && !makes_unit_normals())
             lights_[i].facing = in_object_space(normal, lights_[i].to_light, normal_matrix_.column);

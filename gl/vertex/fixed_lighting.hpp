@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "gl/vertex/fixed_math.hpp"
 #include "raster/numeric/block_matrix.hpp"
@@ -119,6 +120,11 @@ class FixedLighting {
     MaterialProducts material_products_[SPANGLE_TWO_SIDES ? 2 : 1];
     std::int32_t model_ambient_[3] = {};
     numeric::BlockMatrix3 normal_matrix_;
+    /// True if the normal matrix is kept with all its bits, for lights that change while the modelview matrix
+    /// does not. Boards have no RAM for it; there, it is computed again.
+    static constexpr bool keeps_normals = numeric::wide_words;
+    struct None {};
+    [[no_unique_address]] std::conditional_t<keeps_normals, numeric::NormalMatrix, None> kept_normals_;
 
     /// True if the build has plain lighting only, with normals as given.
     static constexpr bool always_has_given_normals =
@@ -127,6 +133,8 @@ class FixedLighting {
     bool indexed() const { return raster::has_indices && index_bits_ != 0; }
     void derive_lights(const Context& context);
     void derive_normals(const TransformState& transform);
+    /// Derives `facing` of each directional light.
+    void face_lights(const numeric::NormalMatrix& normal);
     void derive_source(const Light& light, LightSource& out) const;
     void fold(const Context& context);
     void multiply_material(const Material& material, MaterialProducts& out) const;

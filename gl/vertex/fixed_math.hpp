@@ -65,8 +65,8 @@ struct FixedMath : FixedClipping {
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(middle) +
                                              numeric::low_word_after(rounded, bits));
         }
-        /// Returns place() of a quotient that is held in 64 bits. The result is undefined if the quotient does
-        /// not fit a word.
+        /// Returns place() of a quotient that is held in 64 bits. The result is undefined if the quotient
+        /// does not fit a word.
         SPANGLE_INLINE std::int32_t place(std::int64_t minus_q, int bits) const {
             return place(static_cast<std::int32_t>(minus_q), bits);
         }
@@ -152,7 +152,18 @@ struct FixedMath : FixedClipping {
         }
     };
 
-    static void derive(const TransformState& state, Transforms& out) {
+    /// Derives what depends on state that has changed. `dirty` is a set of Dirty bits.
+    static void derive(const TransformState& state, unsigned dirty, Transforms& out) {
+        if ((dirty & (dirty_modelview | dirty_projection)) != 0)
+            derive_positions(state, out);
+        if ((dirty & dirty_texture_matrices) != 0)
+            derive_textures(state, out);
+        if ((dirty & dirty_viewport) != 0)
+            derive_window(state, out);
+    }
+
+    /// Derives the matrices by which positions are multiplied.
+    static void derive_positions(const TransformState& state, Transforms& out) {
         const numeric::Matrix& modelview = state.modelview.entry[state.modelview.top];
         out.modelview = &modelview;
         out.has_eye = out.has_depth = false;
@@ -167,6 +178,9 @@ struct FixedMath : FixedClipping {
         }
         out.w_exponent = -63 - out.to_clip.row[3];
         out.most_zeros = most_zeros(lift);
+    }
+
+    static void derive_textures(const TransformState& state, Transforms& out) {
         for (int u = 0; u < texture_units; ++u) {
             const numeric::Matrix& texture = state.texture[u].entry[state.texture[u].top];
             out.texture_is_identity[u] = is_identity(texture);
@@ -175,6 +189,10 @@ struct FixedMath : FixedClipping {
                 out.texture[u] = numeric::to_block_matrix(texture);
 #endif
         }
+    }
+
+    /// Derives the maps to the viewport and to the depth range.
+    static void derive_window(const TransformState& state, Transforms& out) {
         const GLint* v = state.viewport;
         const std::int32_t half_width = v[2] * (raster::subpixel_one / 2),
                            half_height = v[3] * (raster::subpixel_one / 2);

@@ -165,7 +165,7 @@ std::uint32_t property_size(GLenum pname) {
 
 void color_material_enabled(Context& context) {
     track_color(context);
-    context.changed(dirty_vertex);
+    context.changed(dirty_materials);
 }
 
 void color_changed(Context& context) {
@@ -277,7 +277,7 @@ void ColorMaterial(Context& context, GLenum face, GLenum mode) {
     context.lighting.color_material_parameter = mode;
     if (has_color_material && context.lighting.color_material)
         track_color(context);
-    context.changed(dirty_vertex);
+    context.changed(dirty_materials);
 }
 
 } // namespace cmd

@@ -112,6 +112,7 @@ template <class M, class L> class Pipeline : public ElementBatches<M, L> {
     using Base::general_element;
     using Base::is_common;
     using Base::is_common_texture;
+    using Base::is_valid;
     using Base::slot_for_vertex;
     using Base::transform_with_cache;
 #endif
@@ -121,8 +122,11 @@ template <class M, class L> class Pipeline : public ElementBatches<M, L> {
     static constexpr std::uint32_t piece = 12;
 
     void derive_draw(Context& context, GLenum mode) {
-        if (derive(context, mode))
+        const Invalid invalid = derive(context, mode);
+        if (invalid == Invalid::vertices)
             cache_.invalidate();
+        else if (invalid == Invalid::colors)
+            cache_.invalidate_colors();
     }
     PrimitiveSink<M, L>& sink() {
         return *this;
@@ -225,7 +229,7 @@ void Pipeline<M, L>::draw_elements_immediate(Context& context, const ElementRead
 template <class M, class L>
 inline void Pipeline<M, L>::next_element(const CurrentState& current, Vertex& kept,
                                          const Real (&position)[4]) {
-    const bool known = cache_.is_valid(kept) && equal_words<4>(kept.position, position) &&
+    const bool known = is_valid(kept) && equal_words<4>(kept.position, position) &&
                        (!has_normals || equal_words<3>(kept.normal, current.normal));
     Vertex& next = slot_for_vertex(kept);
     if (!known) {

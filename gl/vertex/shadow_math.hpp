@@ -24,9 +24,9 @@ struct ShadowMath {
     using Parameter = FixedAndDouble<FixedMath::Parameter, DoubleMath::Parameter>;
     using Transforms = FixedAndDouble<FixedMath::Transforms, DoubleMath::Transforms>;
 
-    static void derive(const TransformState& state, Transforms& out) {
-        FixedMath::derive(state, out.fixed);
-        DoubleMath::derive(state, out.twin);
+    static void derive(const TransformState& state, unsigned dirty, Transforms& out) {
+        FixedMath::derive(state, dirty, out.fixed);
+        DoubleMath::derive(state, dirty, out.twin);
     }
     template <int N> class Projections {
       public:

@@ -54,7 +54,7 @@ void TexGen(Context& context, GLenum coord, GLenum pname, const Params& params) 
             for (int k = 0; k < 4; ++k)
                 gen.object_plane[k] = plane[k];
     }
-    context.changed(dirty_vertex);
+    context.changed(dirty_others);
 }
 
 void GetTexGen(Context& context, GLenum coord, GLenum pname, Params& params) {

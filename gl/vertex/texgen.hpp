@@ -12,29 +12,14 @@ template <class M> class TexGen {
   public:
     using Scalar = typename M::Scalar;
 
-    void derive(const Context& context) {
-        generating_units_ = 0;
-        bool normals = false;
-        for (int u = 0; u < texture_units; ++u) {
-            const TextureUnitState& state = context.texture.unit[u];
-            Unit& unit = unit_[u];
-            unit.mapped = false;
-            for (int c = 0; c < 4; ++c) {
-                const TexGenState& gen = state.gen[c];
-                unit.mode[c] = state.gen_on[c] ? gen.mode : GLenum{GL_NONE};
-                if (!state.gen_on[c])
-                    continue;
-                generating_units_ |= 1u << u;
-                const bool linear = gen.mode == GL_OBJECT_LINEAR || gen.mode == GL_EYE_LINEAR;
-                for (int k = 0; linear && k < 4; ++k)
-                    unit.plane[c][k] =
-                        M::scalar((gen.mode == GL_EYE_LINEAR ? gen.eye_plane : gen.object_plane)[k]);
-                unit.mapped = unit.mapped || !linear;
-            }
-            normals = normals || unit.mapped;
-        }
-        normalizes_ = context.transform.normalize;
-        if (normals)
+    /// Derives values from state that has changed. `dirty` holds the Dirty bits that were set since the last
+    /// call.
+    void derive(const Context& context, unsigned dirty) {
+        if ((dirty & (dirty_others | dirty_normals)) != 0)
+            derive_units(context);
+        else if ((dirty & dirty_modelview) == 0)
+            return;
+        if (uses_normals_)
             M::normal_matrix(context.transform, normal_matrix_);
     }
 
@@ -89,9 +74,33 @@ template <class M> class TexGen {
         Scalar plane[4][4];
     };
     unsigned generating_units_ = 0;
-    bool normalizes_ = false;
+    bool normalizes_ = false, uses_normals_ = false;
     Unit unit_[texture_units];
     Scalar normal_matrix_[9]; ///< stored column by column
+
+    void derive_units(const Context& context) {
+        generating_units_ = 0;
+        uses_normals_ = false;
+        for (int u = 0; u < texture_units; ++u) {
+            const TextureUnitState& state = context.texture.unit[u];
+            Unit& unit = unit_[u];
+            unit.mapped = false;
+            for (int c = 0; c < 4; ++c) {
+                const TexGenState& gen = state.gen[c];
+                unit.mode[c] = state.gen_on[c] ? gen.mode : GLenum{GL_NONE};
+                if (!state.gen_on[c])
+                    continue;
+                generating_units_ |= 1u << u;
+                const bool linear = gen.mode == GL_OBJECT_LINEAR || gen.mode == GL_EYE_LINEAR;
+                for (int k = 0; linear && k < 4; ++k)
+                    unit.plane[c][k] =
+                        M::scalar((gen.mode == GL_EYE_LINEAR ? gen.eye_plane : gen.object_plane)[k]);
+                unit.mapped = unit.mapped || !linear;
+            }
+            uses_normals_ = uses_normals_ || unit.mapped;
+        }
+        normalizes_ = context.transform.normalize;
+    }
 
     /// Returns the scalar product of n components. The components of `a` are `step` apart.
     static Scalar dot(const Scalar* a, const Scalar* b, int n, int step = 1) {
@@ -142,7 +151,7 @@ template <class M> class TexGen {
 template <class M> class TexGen {
   public:
     using Scalar = typename M::Scalar;
-    void derive(const Context&) {}
+    void derive(const Context&, unsigned) {}
     static constexpr unsigned units() { return 0; }
     static constexpr bool keeps_q(int) { return true; }
     static void generate(const typename M::Transforms&, int, const Real (&)[4], const Real (&)[3],

@@ -41,9 +41,16 @@ const char* stack_is_full([[maybe_unused]] GLenum mode) {
                                  : SPANGLE_TEXT("the stack is full (SPANGLE_MODELVIEW_STACK)");
 }
 
+/// Marks what is derived from the current matrix as changed. The Dirty bits have the order of the tokens.
+void matrix_changed(Context& context) {
+    static_assert(GL_PROJECTION == GL_MODELVIEW + 1 && dirty_projection == dirty_modelview << 1 &&
+                  GL_TEXTURE == GL_MODELVIEW + 2 && dirty_texture_matrices == dirty_modelview << 2);
+    context.changed(static_cast<Dirty>(dirty_modelview << (context.transform.matrix_mode - GL_MODELVIEW)));
+}
+
 numeric::Matrix& current_matrix(Context& context) {
     const StackRef stack = current_stack(context);
-    context.changed(dirty_matrices);
+    matrix_changed(context);
     return stack.entry[*stack.top];
 }
 
@@ -128,7 +135,7 @@ void PopMatrix(Context& context) {
     if (*stack.top == 0)
         return error(context, GL_STACK_UNDERFLOW);
     --*stack.top;
-    context.changed(dirty_matrices);
+    matrix_changed(context);
 }
 
 void Rotate(Context& context, Real angle, Real x, Real y, Real z) {
@@ -167,7 +174,7 @@ void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height)
     v[1] = clamp(y, -max_viewport_dim, max_viewport_dim);
     v[2] = clamp(width, 0, max_viewport_dim);
     v[3] = clamp(height, 0, max_viewport_dim);
-    context.changed(dirty_matrices);
+    context.changed(dirty_viewport);
     // Fragments must end at a viewport that does not hold the window; see viewport_box.hpp.
     if (!held_window || !viewport_holds_window(context))
         context.changed(dirty_fragment);
@@ -181,7 +188,7 @@ void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height)
 void DepthRange(Context& context, Real near_val, Real far_val) {
     context.transform.depth_range[0] = numeric::clamp01(near_val);
     context.transform.depth_range[1] = numeric::clamp01(far_val);
-    context.changed(dirty_matrices);
+    context.changed(dirty_viewport);
 }
 
 } // namespace cmd

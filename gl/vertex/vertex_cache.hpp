@@ -29,6 +29,7 @@ inline constexpr bool caches_window_positions = vertex_cache != 1 && raster::has
 template <class M> class VertexCache {
   public:
     void invalidate() {}
+    void invalidate_colors() {}
 };
 
 #else
@@ -37,20 +38,30 @@ template <class M> class VertexCache {
   public:
     using Vertex = gl::Vertex<M>;
 
+    /// True if kept vertices keep their positions while lights, materials or the current colour change. The
+    /// code for it is left out of firmware.
+    static constexpr bool keeps_positions = numeric::wide_words && raster::has_shortcuts;
+
     /// Makes all kept vertices invalid, by a new epoch.
     SPANGLE_RUN_CALL void invalidate();
-    /// True if the vertex was stamped after the last invalidate().
+    /// Makes the colours of all kept vertices invalid. Their positions stay valid in builds with
+    /// keeps_positions.
+    void invalidate_colors();
+    /// True if the vertex was stamped after the last invalidate() and the last invalidate_colors().
     bool is_valid(const Vertex& v) const { return v.cache_epoch == epoch_; }
-    /// Makes a vertex valid until the next invalidate().
+    /// True if the vertex was stamped after the last invalidate(), so that at most its colours are invalid.
+    bool has_valid_position(const Vertex& v) const { return (v.cache_epoch ^ epoch_) < epoch_step; }
+    /// Makes a vertex valid until the next invalidate() or invalidate_colors().
     void stamp(Vertex& v) const { v.cache_epoch = epoch_; }
 
     // Elements of arrays.
     /// Prepares the cache for a draw of `count` elements. In builds where the cache may grow, the first draw
     /// of more elements than it holds enlarges it to vertex_cache elements, in the arena.
     void hold_elements(Context& context, std::uint32_t count);
-    /// Makes kept vertices invalid if the layout of the arrays or the current colour differs from those of
-    /// the last draw, or if `others_changed`. Vertices do not record these values.
-    void begin_draw(unsigned layout, const Real (&color)[4], bool others_changed);
+    /// Makes kept vertices invalid if the layout of the arrays differs from that of the last draw, or if
+    /// `others_changed`. Makes their colours invalid if they have the current colour, and it differs from
+    /// that of the last draw. Vertices do not record these values.
+    void begin_draw(unsigned layout, const Real (&color)[4], bool has_current_color, bool others_changed);
     /// The place of an element. Whether its vertex is that of the element is for the caller to compare.
     Vertex& element(std::uint32_t index);
 
@@ -103,7 +114,11 @@ template <class M> class VertexCache {
     };
     struct FixedCache {};
 
-    /// Kept vertices whose `cache_epoch` differs from this are invalid.
+    /// Each invalidate() adds epoch_step to the epoch, and each invalidate_colors() adds 1.
+    static constexpr std::uint32_t epoch_step = keeps_positions ? 1u << 16 : 1;
+
+    /// Kept vertices whose `cache_epoch` differs from this are invalid. Where the values differ below
+    /// `epoch_step` only, just the colours are invalid.
     std::uint32_t epoch_ = 0;
     bool caches_positions_ = false; ///< true if memory_ holds `cached_position`, not `vertex`
     /// Number of vertices that Vertex commands have given since the last draw of elements.
@@ -121,10 +136,18 @@ template <class M> class VertexCache {
 };
 
 template <class M> SPANGLE_RUN_CALL void VertexCache<M>::invalidate() {
-    if (++epoch_ != 0)
+    epoch_ = (epoch_ & ~(epoch_step - 1)) + epoch_step;
+    if (epoch_ != 0)
         return;
     clear();
-    epoch_ = 1;
+    epoch_ = epoch_step;
+}
+
+template <class M> inline void VertexCache<M>::invalidate_colors() {
+    if ((epoch_ + 1) % epoch_step == 0)
+        invalidate();
+    else
+        ++epoch_;
 }
 
 /// Empties the cache and switches it to positions of Vertex commands.
@@ -181,9 +204,12 @@ template <class M> inline void VertexCache<M>::grow(Context& context, std::uint3
 #endif
 
 template <class M>
-inline void VertexCache<M>::begin_draw(unsigned layout, const Real (&color)[4], bool others_changed) {
-    if (layout != layout_ || !equal_words<4>(color_, color) || others_changed)
+inline void VertexCache<M>::begin_draw(unsigned layout, const Real (&color)[4], bool has_current_color,
+                                       bool others_changed) {
+    if (layout != layout_ || others_changed)
         invalidate();
+    else if (has_current_color && !equal_words<4>(color_, color))
+        invalidate_colors();
     layout_ = layout;
     for (int c = 0; c < 4; ++c)
         color_[c] = color[c];
@@ -216,7 +242,7 @@ SPANGLE_INLINE void VertexCache<M>::place(Vertex& v, unsigned known_flags, const
     }
     CachedPosition& kept = memory_.cached_position[cached_position_index(v.position)];
     const bool plain = v.position[3] == numeric::one;
-    if (plain && kept.cache_epoch == epoch_ && equal_words<3>(kept.position, v.position)) {
+    if (plain && (kept.cache_epoch ^ epoch_) < epoch_step && equal_words<3>(kept.position, v.position)) {
         M::take_place(kept.window_position, v.window);
         v.flags = known_flags;
         return;

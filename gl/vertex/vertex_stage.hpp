@@ -28,11 +28,11 @@ template <class M> class VertexStage : public DrawScope {
     /// Derives transforms, planes and generated coordinates from the state that changed. `dirty` is a set of
     /// Dirty bits.
     void derive_transforms(const Context& context, unsigned dirty) {
-        if ((dirty & (dirty_matrices | dirty_others)) != 0) {
-            M::derive(context.transform, transforms_);
+        if ((dirty & dirty_transform) != 0)
+            M::derive(context.transform, dirty, transforms_);
+        if ((dirty & dirty_others) != 0)
             planes_.derive(context.transform);
-            texgen_.derive(context);
-        }
+        texgen_.derive(context, dirty);
     }
     [[gnu::noinline]] void transform_vertex(Vertex& v) const;
     [[gnu::noinline]] void process_common(Vertex& v, const std::uint8_t* words) const;

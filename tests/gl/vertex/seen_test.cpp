@@ -37,7 +37,7 @@ TEST(VisibleEnds, FallWhereVerticesDo) {
                                    static_cast<GLint>(random() % 150)};
         std::copy_n(viewport, 4, state.viewport);
         FixedMath::Transforms t;
-        FixedMath::derive(state, t);
+        FixedMath::derive(state, gl::dirty_all, t);
         const raster::DrawState::Area area =
             FixedMath::inside_viewport(t, {256, 256, round % 7 == 0 ? 0u : 98u * 256, 78u * 256});
         for (int i = 0; i < 2000; ++i) {
@@ -74,7 +74,7 @@ TEST(VisibleEnds, AreInsideOfTheRim) {
     const GLint viewport[4] = {10, 20, 30, 41};
     std::copy_n(viewport, 4, state.viewport);
     FixedMath::Transforms t;
-    FixedMath::derive(state, t);
+    FixedMath::derive(state, gl::dirty_all, t);
     const auto cut = FixedMath::inside_viewport(t, {0, 0, 100 * 256, 100 * 256});
     EXPECT_TRUE(cut.holds(10 * 256 + 1, 20 * 256 + 1) && cut.holds(40 * 256 - 1, 61 * 256 - 1));
     EXPECT_FALSE(cut.holds(10 * 256, 30 * 256) || cut.holds(20 * 256, 20 * 256));
