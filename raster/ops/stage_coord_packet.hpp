@@ -9,9 +9,9 @@
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
 
-/// Finds levels of detail of packets that have one lane and lie in one row. Most packets are sampled alike from
-/// their first fragment to their last, and no levels are mixed. All fragments of such a packet get the lambda
-/// of the first, so that only the ends are computed.
+/// Finds levels of detail of packets that have one lane and lie in one row. Most packets are sampled alike
+/// from their first fragment to their last, and no levels are mixed. All fragments of such a packet get the
+/// lambda of the first, so that only the ends are computed.
 template <class Places> class RowLevels {
     static_assert(Places::lanes == 1);
 
@@ -36,7 +36,8 @@ template <class Places> class RowLevels {
         LevelOfDetail::Bounds bounds;
         if (how.next != 0 || !lod.bounds(k.x, k.x + k.n - 1, bounds))
             return false;
-        return how.alike(choice.choose_sampling(bounds.least)) && how.alike(choice.choose_sampling(bounds.most));
+        return how.alike(choice.choose_sampling(bounds.least)) &&
+               how.alike(choice.choose_sampling(bounds.most));
     }
 };
 

@@ -103,9 +103,9 @@ class LevelOfDetail {
     };
     const Span<Fixed>& span_;
     int unit_;
-    bool is_1d_;            ///< true for 1D textures, of which only s counts
-    bool shares_logarithm_; ///< both sizes are powers of two, so one logarithm serves both axes
-    int log2_aspect_;       ///< log2 of height / width
+    bool is_1d_;                       ///< true for 1D textures, of which only s counts
+    bool shares_logarithm_;            ///< both sizes are powers of two, so one logarithm serves both axes
+    int log2_aspect_;                  ///< log2 of height / width
     std::int32_t bias_u_, bias_v_ = 0; ///< logarithms of the sizes, with 8 fraction bits
     // These are set where levels vary.
     Plane q_, s_, t_;

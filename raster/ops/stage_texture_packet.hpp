@@ -212,7 +212,8 @@ template <class N> class PacketTexture {
                            bytes = static_cast<std::int32_t>(image.stride) *
                                    (image.height + 2 * texture_.border_texels);
         TexelOffsets r;
-        if (!find_texels(r, linear, {texture_.wrap_r, deep > 1 ? deep : 1, bytes, texture_.border_texels != 0},
+        if (!find_texels(r, linear,
+                         {texture_.wrap_r, deep > 1 ? deep : 1, bytes, texture_.border_texels != 0},
                          thirds_->r + of.first, 1, of.count))
             return false;
         for (std::int32_t i = 0; i < of.count; ++i)
@@ -252,9 +253,9 @@ template <class N> class PacketTexture {
             to[i] = Texels::unpack(texels[i][0]);
         for (std::int32_t i = 0; linear && i < n; ++i) {
             const Word(&of)[4] = texels[i];
-            to[i] = Texels::mix(typename Texels::Weights(t.weight[i]), std::uint32_t{of[0]},
-                                std::uint32_t{of[1]}, std::uint32_t{of[2]}, std::uint32_t{of[3]},
-                                s.weight[i]);
+            to[i] =
+                Texels::mix(typename Texels::Weights(t.weight[i]), std::uint32_t{of[0]}, std::uint32_t{of[1]},
+                            std::uint32_t{of[2]}, std::uint32_t{of[3]}, s.weight[i]);
         }
     }
 };
