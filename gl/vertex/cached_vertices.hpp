@@ -21,6 +21,7 @@ template <class M, class L> class CachedVertices : public PrimitiveSink<M, L> {
 
 #if SPANGLE_VERTEX_CACHE != 1
     [[gnu::noinline]] void transform_with_cache(Vertex& v);
+    SPANGLE_INLINE bool is_valid(Vertex& v);
     void arrays_begin(const ElementReader& reader, const CurrentState& current, bool textured);
     bool is_common(const ElementReader& reader) const;
     bool is_common_texture(const ElementReader& reader) const;
@@ -31,8 +32,6 @@ template <class M, class L> class CachedVertices : public PrimitiveSink<M, L> {
     SPANGLE_INLINE Vertex& common_element(const ElementReader& reader, std::uint32_t index, bool normals,
                                           bool textured, const Place& place, const Finish& finish);
     SPANGLE_INLINE Vertex& slot_for_vertex(Vertex& cached);
-    SPANGLE_INLINE bool is_valid(Vertex& v);
-    [[gnu::noinline]] bool recolor(Vertex& v);
 #endif
 
   protected:
@@ -47,6 +46,7 @@ template <class M, class L> class CachedVertices : public PrimitiveSink<M, L> {
 
 #if SPANGLE_VERTEX_CACHE != 1
     bool draws_lines() const;
+    [[gnu::noinline]] bool recolor(Vertex& v);
     [[gnu::noinline]] void read_texture(const std::uint8_t* words, Vertex& v);
     SPANGLE_INLINE static bool equal(const Real* v, const std::uint8_t* words);
     SPANGLE_INLINE static bool equal_texture(const Vertex& v, const std::uint8_t* words);
@@ -66,6 +66,11 @@ template <class M, class L> void CachedVertices<M, L>::transform_with_cache(Vert
     cache_.place(v, modes_.is_lit() ? uncolored : 0, [this](Vertex& fresh) { transform_vertex(fresh); });
 }
 
+/// True if a cached vertex is of now. A vertex of which only the colours are invalid is coloured anew.
+template <class M, class L> SPANGLE_INLINE bool CachedVertices<M, L>::is_valid(Vertex& v) {
+    return cache_.is_valid(v) || (VertexCache<M>::keeps_positions && recolor(v));
+}
+
 /// Makes cached vertices invalid if the layout of the arrays or the current normal has changed, and colours
 /// of unlit vertices if the current colour has changed. Cached vertices do not record these values.
 template <class M, class L>
@@ -74,7 +79,7 @@ inline void CachedVertices<M, L>::arrays_begin(const ElementReader& reader, cons
     const unsigned layout = reader.vertex.components() << 8 | reader.normal.components() << 4 |
                             (textured ? 4u : 0u) | (reader.color.on() ? 2u : 0u) |
                             (reader.textured ? 1u : 0u);
-    cache_.begin_draw(layout, current.color, !modes_.is_lit(),
+    cache_.begin_draw(layout, current.color, modes_.is_lit(),
                       !reader.normal.on() && !equal_words<3>(object_vertex_.normal, current.normal));
     object_vertex_.position[2] = numeric::zero; // the array may not have these components
     object_vertex_.position[3] = numeric::one;
@@ -96,24 +101,6 @@ inline bool CachedVertices<M, L>::is_common_texture(const ElementReader& reader)
         others = others || reader.tex_coord[u].on();
     return modes_.units() == 1 && reader.tex_coord[0].is_floats(2) && !others && !has_texgen(0) &&
            !draws_lines();
-}
-
-/// True if a cached vertex is of now. A vertex of which only the colours are invalid is coloured anew.
-template <class M, class L> SPANGLE_INLINE bool CachedVertices<M, L>::is_valid(Vertex& v) {
-    return cache_.is_valid(v) || (VertexCache<M>::keeps_positions && recolor(v));
-}
-
-/// Colours a vertex anew if only its colours are invalid; lit vertices wait for color(). False: the vertex is
-/// invalid.
-template <class M, class L> bool CachedVertices<M, L>::recolor(Vertex& v) {
-    if (!cache_.has_valid_position(v))
-        return false;
-    cache_.stamp(v);
-    if (modes_.is_lit())
-        v.flags |= uncolored;
-    else
-        M::copy_color(unlit_, v.window);
-    return true;
 }
 
 /// Returns the vertex of an element, without colour and texture coordinates. A cached vertex is used again if
@@ -189,12 +176,21 @@ SPANGLE_INLINE typename CachedVertices<M, L>::Vertex& CachedVertices<M, L>::slot
     return v;
 }
 
-#endif
-
-#if SPANGLE_VERTEX_CACHE != 1
-
 template <class M, class L> inline bool CachedVertices<M, L>::draws_lines() const {
     return has_lines && modes_.mode() >= GL_LINES && modes_.mode() <= GL_LINE_STRIP;
+}
+
+/// Colours a vertex anew if only its colours are invalid; lit vertices wait for color(). False: the vertex is
+/// invalid.
+template <class M, class L> bool CachedVertices<M, L>::recolor(Vertex& v) {
+    if (!cache_.has_position(v))
+        return false;
+    cache_.stamp(v);
+    if (modes_.is_lit())
+        v.flags |= uncolored;
+    else
+        M::copy_color(unlit_, v.window);
+    return true;
 }
 
 template <class M, class L> void CachedVertices<M, L>::read_texture(const std::uint8_t* words, Vertex& v) {

@@ -119,10 +119,6 @@ inline void ElementBatches<M, L>::draw_strip_elements(const ElementReader& reade
     strip(indices);
 }
 
-#endif
-
-#if SPANGLE_VERTEX_CACHE != 1
-
 /// True if all lines of this draw have one colour, no user plane clips them, and no mode changes how they are
 /// drawn.
 template <class M, class L> inline bool ElementBatches<M, L>::draws_places() const {

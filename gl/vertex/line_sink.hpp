@@ -57,6 +57,14 @@ template <class M, class L> class LineSink : public PointSink<M, L> {
 
   private:
     raster::LineStipple stipple_;
+
+    /// True if the stipple pattern starts anew with this line. It does with each primitive, and with each
+    /// line of LINES (GL 1.3, 3.4.2).
+    bool starts_stipple() {
+        const bool starts = restarts_stipple_;
+        restarts_stipple_ = modes_.mode() == GL_LINES;
+        return starts;
+    }
 };
 
 template <class M, class L> inline void LineSink<M, L>::line(Vertex& a, Vertex& b) {
@@ -108,13 +116,11 @@ inline void LineSink<M, L>::draw_line(const Vertex& a, const Window& at_a, const
     raster::draw_line(*state_, context_->drawable.surface, at_a, at_b, provoking, modes_.line_width());
 }
 
-/// Draws a line that is stippled or antialiased, or whose drawable has samples. The stipple starts anew with
-/// each primitive, and with each line of LINES (GL 1.3, 3.4.2).
+/// Draws a line that is stippled or antialiased, or whose drawable has samples.
 template <class M, class L>
 void LineSink<M, L>::draw_special_line(const Window& a, const Window& b, const Window& provoking) {
-    if (restarts_stipple_)
+    if (starts_stipple())
         stipple_.position = 0;
-    restarts_stipple_ = modes_.mode() == GL_LINES;
     const PolygonState& polygon = context_->polygon;
     const raster::LineStipple start = stipple_;
     each_primitive_target(*context_, [&](const raster::Surface& target, raster::Position shift) {
@@ -165,8 +171,7 @@ template <class M, class L> void LineSink<M, L>::clip_and_draw_line(Vertex& a, V
 
 template <class M, class L>
 void LineSink<M, L>::capture_line(const Corner& a, const Corner& b, const Window& provoking) {
-    begin_capture(restarts_stipple_ ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN, 2);
-    restarts_stipple_ = modes_.mode() == GL_LINES;
+    begin_capture(starts_stipple() ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN, 2);
     capture_vertex({a.vertex, modes_.is_flat_shaded() ? provoking : a.window});
     capture_vertex({b.vertex, modes_.is_flat_shaded() ? provoking : b.window});
 }

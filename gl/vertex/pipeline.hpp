@@ -122,10 +122,10 @@ template <class M, class L> class Pipeline : public ElementBatches<M, L> {
     static constexpr std::uint32_t piece = 12;
 
     void derive_draw(Context& context, GLenum mode) {
-        const Invalid invalid = derive(context, mode);
-        if (invalid == Invalid::vertices)
+        const Stale stale = derive(context, mode);
+        if (stale == Stale::all)
             cache_.invalidate();
-        else if (invalid == Invalid::colors)
+        else if (stale == Stale::colors)
             cache_.invalidate_colors();
     }
     PrimitiveSink<M, L>& sink() {

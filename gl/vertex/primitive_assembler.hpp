@@ -49,10 +49,7 @@ template <class Vertex> class PrimitiveAssembler {
         needed_ = form == PolygonForm::gathered ? 1 : form == PolygonForm::outlined ? 4 : 3;
     }
     /// Forgets the corners of an incomplete primitive. The next vertex starts a strip anew.
-    void restart() {
-        count_ = 0;
-        is_odd_triangle_ = false;
-    }
+    void restart() { count_ = 0, is_odd_triangle_ = false; }
 
     GLenum mode() const { return mode_; }
     /// Number of vertices that wait for the primitive to be complete.

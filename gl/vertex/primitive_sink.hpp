@@ -73,7 +73,7 @@ inline void PrimitiveSink<M, L>::outlined_fan(Vertex* const* c, bool first, bool
     flag(*c[0], first);
     flag(*c[1], true);
     flag(*c[2], last);
-    polygon(c, 3, *c[0]);
+    fan(c);
 }
 
 template <class M, class L>

@@ -11,12 +11,12 @@
 
 namespace spangle::gl {
 
-/// What a change of state makes invalid of processed vertices.
-enum class Invalid : std::uint8_t {
-    nothing,
-    colors,   ///< colours only; positions and texture coordinates stay valid
-    vertices, ///< everything
-};
+/// What of a vertex is to be computed again.
+enum class Stale : std::uint8_t { nothing, colors, all };
+
+} // namespace spangle::gl
+
+namespace spangle::gl {
 
 template <class M, class L> class Shading : public VertexStage<M> {
     using Base = VertexStage<M>;
@@ -26,9 +26,9 @@ template <class M, class L> class Shading : public VertexStage<M> {
     using Vertex = gl::Vertex<M>;
     using ClippedVertex = gl::ClippedVertex<M, L>;
 
-    /// Derives everything that vertices and colours depend on, for primitives of `mode`. Returns what is
-    /// invalid of the vertices that were processed before.
-    Invalid derive(Context& context, GLenum mode);
+    /// Derives everything that vertices and colours depend on, for primitives of `mode`. Returns what of the
+    /// vertices that were processed before is invalid.
+    Stale derive(Context& context, GLenum mode);
     /// Lights the vertices of the incomplete primitive with the old material. It is called before a material
     /// changes.
     void settle_colors();
@@ -172,26 +172,25 @@ template <class M, class L> void Shading<M, L>::light(Vertex& v) {
     v.flags &= ~uncolored;
 }
 
-template <class M, class L> inline Invalid Shading<M, L>::derive(Context& context, GLenum mode) {
-    const unsigned dirty = context.dirty & dirty_vertex;
-    Invalid invalid = Invalid::nothing;
-    if (dirty != 0) {
+template <class M, class L> inline Stale Shading<M, L>::derive(Context& context, GLenum mode) {
+    Stale stale = Stale::nothing;
+    if (const unsigned dirty = context.dirty & dirty_vertex; dirty != 0) {
         derive_transforms(context, dirty);
         lighting_.derive(context, dirty);
         context.dirty = static_cast<std::uint16_t>(context.dirty & ~dirty_vertex);
         if ((dirty & ~unsigned{dirty_lights | dirty_materials}) != 0)
-            invalid = Invalid::vertices;
+            stale = Stale::all;
         else if (context.lighting.lighting)
-            invalid = Invalid::colors;
+            stale = Stale::colors;
     }
     modes_.derive(context, mode, {lighting_.two_sided(), lighting_.tracks_color(), planes_.any()});
     if (modes_.has_color_sum())
         has_unlit_color_ = false;
-    const unsigned thirds = modes_.units() >> third_coordinate;
-    if (thirds != units_with_r_)
-        invalid = Invalid::vertices;
-    units_with_r_ = thirds;
-    return invalid;
+    if (const unsigned thirds = modes_.units() >> third_coordinate; thirds != units_with_r_) {
+        units_with_r_ = thirds;
+        stale = Stale::all;
+    }
+    return stale;
 }
 
 template <class M, class L> inline void Shading<M, L>::settle_colors() {

@@ -47,11 +47,11 @@ template <class M> class VertexCache {
     /// Makes the colours of all kept vertices invalid. Their positions stay valid in builds with
     /// keeps_positions.
     void invalidate_colors();
-    /// True if the vertex was stamped after the last invalidate() and the last invalidate_colors().
+    /// True if the vertex was stamped after the last time that anything became invalid.
     bool is_valid(const Vertex& v) const { return v.cache_epoch == epoch_; }
-    /// True if the vertex was stamped after the last invalidate(), so that at most its colours are invalid.
-    bool has_valid_position(const Vertex& v) const { return (v.cache_epoch ^ epoch_) < epoch_step; }
-    /// Makes a vertex valid until the next invalidate() or invalidate_colors().
+    /// True if at least the position of the vertex is valid.
+    bool has_position(const Vertex& v) const { return (v.cache_epoch ^ epoch_) < epoch_step; }
+    /// Makes a vertex valid until anything becomes invalid.
     void stamp(Vertex& v) const { v.cache_epoch = epoch_; }
 
     // Elements of arrays.
@@ -59,10 +59,11 @@ template <class M> class VertexCache {
     /// of more elements than it holds enlarges it to vertex_cache elements, in the arena.
     void hold_elements(Context& context, std::uint32_t count);
     /// Makes kept vertices invalid if the layout of the arrays differs from that of the last draw, or if
-    /// `others_changed`. Makes their colours invalid if they have the current colour, and it differs from
-    /// that of the last draw. Vertices do not record these values.
-    void begin_draw(unsigned layout, const Real (&color)[4], bool has_current_color, bool others_changed);
-    /// The place of an element. Whether its vertex is that of the element is for the caller to compare.
+    /// `others_changed`. If only the current colour differs, colours of vertices that are not lit become
+    /// invalid. Vertices do not record these values.
+    void begin_draw(unsigned layout, const Real (&color)[4], bool lit, bool others_changed);
+    /// The place of an element, after hold_elements(). Whether its vertex is that of the element is for the
+    /// caller to compare.
     Vertex& element(std::uint32_t index);
 
     // Vertices of Vertex commands.
@@ -76,6 +77,7 @@ template <class M> class VertexCache {
     static constexpr std::size_t position_count() { return cached_position_count; }
 
   private:
+    static constexpr std::uint32_t epoch_step = keeps_positions ? 1u << 16 : 1;
     /// The cache holds first_vertices elements at first. In builds where the cache may grow, the first draw
     /// of more elements enlarges it to vertex_cache elements.
     static constexpr bool grows_cache = SPANGLE_GROWS_CACHE != 0 && raster::has_shortcuts &&
@@ -84,7 +86,8 @@ template <class M> class VertexCache {
     /// The window position of a vertex given by a Vertex command, not as an element of arrays.
     struct CachedPosition {
         Real position[3]{}; ///< position in object space as given; its w was 1
-        /// The entry is valid while this equals VertexCache::epoch_, its value when the entry was made.
+        /// The entry is valid while this differs from VertexCache::epoch_ below `epoch_step` only. It is the
+        /// value of epoch_ when the entry was made.
         std::uint32_t cache_epoch = 0;
         typename M::Place window_position{};
     };
@@ -113,9 +116,6 @@ template <class M> class VertexCache {
         std::uint32_t mask = 0;     ///< mask of the index bits that choose an element
     };
     struct FixedCache {};
-
-    /// Each invalidate() adds epoch_step to the epoch, and each invalidate_colors() adds 1.
-    static constexpr std::uint32_t epoch_step = keeps_positions ? 1u << 16 : 1;
 
     /// Kept vertices whose `cache_epoch` differs from this are invalid. Where the values differ below
     /// `epoch_step` only, just the colours are invalid.
@@ -204,11 +204,11 @@ template <class M> inline void VertexCache<M>::grow(Context& context, std::uint3
 #endif
 
 template <class M>
-inline void VertexCache<M>::begin_draw(unsigned layout, const Real (&color)[4], bool has_current_color,
+inline void VertexCache<M>::begin_draw(unsigned layout, const Real (&color)[4], bool lit,
                                        bool others_changed) {
     if (layout != layout_ || others_changed)
         invalidate();
-    else if (has_current_color && !equal_words<4>(color_, color))
+    else if (!lit && !equal_words<4>(color_, color))
         invalidate_colors();
     layout_ = layout;
     for (int c = 0; c < 4; ++c)
