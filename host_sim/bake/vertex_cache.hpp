@@ -10,7 +10,7 @@ namespace spangle::bake {
 using IndexList = std::vector<std::uint32_t>;
 
 /// The number of vertices that a cache of that many entries processes for these elements. Spangle keeps
-/// vertex i in entry i mod entries (gl/vertex/pipeline_elements.hpp).
+/// vertex i in entry i mod entries (gl/vertex/vertex_cache.hpp).
 std::size_t cache_misses(const IndexList& indices, unsigned entries);
 
 /// Orders triangles so that their vertices are used again soon. Triangles form fans around a vertex,

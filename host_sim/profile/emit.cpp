@@ -93,7 +93,7 @@ std::string words(const Key& key) {
 
 namespace {
 
-/// Optional systems whose primitives are cut (gl/vertex/pipeline.hpp).
+/// Optional systems whose primitives are cut (gl/vertex/clipper.hpp).
 constexpr const char* cutting[] = {"CLIP_PLANES", "POLYGON_MODE", "SELECTION", "FEEDBACK", "ANTIALIASING"};
 
 // The names of options that are lists must stand for the bits that the code knows.
