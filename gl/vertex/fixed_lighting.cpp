@@ -184,9 +184,8 @@ void FixedLighting::derive(const Context& context, unsigned dirty) {
     const bool faces = (dirty & dirty_lights) != 0 && !makes_unit_normals();
     if ((dirty & asked) != 0 || (!keeps_normals && faces))
         derive_normals(context.transform);
-    else if constexpr (keeps_normals)
-        if (faces)
-            face_lights(kept_normals_);
+    else if (keeps_normals && faces)
+        face_lights(kept_normals_.get());
 }
 
 /// Derives everything that does not depend on the matrices. Lights do not depend on them, since they are
@@ -232,8 +231,7 @@ void FixedLighting::derive_normals(const TransformState& transform) {
         rows_share_exponent_ = common;
     }
     face_lights(normal);
-    if constexpr (keeps_normals)
-        kept_normals_ = normal;
+    kept_normals_.keep(normal);
 }
 
 void FixedLighting::face_lights(const numeric::NormalMatrix& normal) {

@@ -123,8 +123,16 @@ class FixedLighting {
     /// True if the normal matrix is kept with all its bits, for lights that change while the modelview matrix
     /// does not. Boards have no RAM for it; there, it is computed again.
     static constexpr bool keeps_normals = numeric::wide_words;
-    struct None {};
-    [[no_unique_address]] std::conditional_t<keeps_normals, numeric::NormalMatrix, None> kept_normals_;
+    struct KeptNormals {
+        numeric::NormalMatrix normal;
+        void keep(const numeric::NormalMatrix& of) { normal = of; }
+        const numeric::NormalMatrix& get() const { return normal; }
+    };
+    struct NoNormals {
+        static void keep(const numeric::NormalMatrix&) {}
+        static numeric::NormalMatrix get() { return {}; }
+    };
+    [[no_unique_address]] std::conditional_t<keeps_normals, KeptNormals, NoNormals> kept_normals_;
 
     /// True if the build has plain lighting only, with normals as given.
     static constexpr bool always_has_given_normals =

@@ -101,7 +101,7 @@ SPANGLE_RUN_INLINE constexpr std::int32_t scale_words(int n, const Block* a, int
         std::uint64_t sum = 0;
         for (int j = 0; j < n; ++j) {
             const Block v = a[stride * j];
-            out[j] = v.m == 0 ? 0 : scale_saturate(v.m, v.e + 31 - exponent - column[j]);
+            out[j] = wide_words && v.m == 0 ? 0 : scale_saturate(v.m, v.e + 31 - exponent - column[j]);
             sum += abs_u32(out[j]);
         }
         if (sum < std::uint64_t{1} << 31)

@@ -66,7 +66,7 @@ constexpr Element make_element(std::int64_t v, std::int32_t e) {
 
 constexpr Element to_element(Real v) {
     const std::uint32_t biased = v.bits >> 23 & 255;
-    if (runs_inline && biased >= 8) { // this branch is only faster: 24 bits need no rounding
+    if (wide_words && biased >= 8) { // this branch is only faster: 24 bits need no rounding
         const auto m = static_cast<std::int32_t>((v.bits & 0x7FFFFF) << 7 | 1u << 30);
         return {(v.bits >> 31) != 0 ? -m : m,
                 static_cast<std::int8_t>(static_cast<std::int32_t>(biased) - 157 - element_bias)};
@@ -83,7 +83,7 @@ constexpr Real to_real(Element v) {
     return pack_real(v.m < 0, abs_u32(v.m), v.e + element_bias);
 }
 constexpr Block to_block(Element v) {
-    if (runs_inline && abs_u32(v.m) >> 30 != 0) { // this branch is only faster
+    if (wide_words && abs_u32(v.m) >> 30 != 0) { // this branch is only faster
         const std::int32_t half = (v.m >> 1) + (v.m & 1);
         return {half > block_max ? block_max : half, v.e + element_bias + 1};
     }
@@ -228,7 +228,7 @@ SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix&
         column[i] = rest[i - half];
     if (runs_inline && is_unit(column, n, j)) // a faster way to the same result
         return;
-    if (runs_inline && half == 4) // this branch is only faster
+    if (wide_words && half == 4) // this branch is only faster
         return multiply_sparse_column(a, b, j, r);
     for (int i = 0; i < 4; ++i) {
         Element row[6];
