@@ -26,7 +26,7 @@ sys.path.insert(0, str(ROOT / "host_sim/tools"))
 import outfile  # noqa: E402
 
 # The page of each table.
-PAGES = {name: ROOT / "docs" / f"{page}.md" for page, names in {"accuracy": ("accuracy", "stages"), "speed": ("speed", "instructions"),
+PAGES = {name: ROOT / "docs" / f"{page}.md" for page, names in {"accuracy": ("accuracy", "stages"), "speed": ("speed", "instructions", "changes"),
                                                                "memory": ("memory", "features"), "linux": ("transports",), "bands": ("bands",),
                                                                "boards": ("goals", "dithering")}.items() for name in names}
 BENCH = ROOT / "tests/tools/bench"
@@ -216,6 +216,16 @@ def memory():
     return table(["scene", "context", "surface", "most in all", "process", "llvmpipe's process"], rows)
 
 
+def changes():
+    """Returns what changes of state cost, as `./dev bench changes --update-golden` kept it."""
+    path = BENCH / "changes.json"
+    if not path.exists():
+        return "`./dev bench changes --update-golden` has not been run yet."
+    found = json.loads(path.read_text())
+    rows = [[change, *(f"{of[how]:,}" for how in ("unlit", "lit", "textured"))] for change, of in found.items()]
+    return table(["changed", "unlit", "one light", "one texture"], rows)
+
+
 def features():
     """Returns what each optional system costs, sorted by the bytes of code on the smallest target."""
     path = BENCH / "features.json"
@@ -284,7 +294,7 @@ def page_of(name):
 
 def recorded():
     """Returns the tables that need no program."""
-    return {"instructions": instructions(), "speed": speed(), "memory": memory(), "features": features(), "transports": transports(), "goals": goals_met(), "dithering": dithering()}
+    return {"instructions": instructions(), "changes": changes(), "speed": speed(), "memory": memory(), "features": features(), "transports": transports(), "goals": goals_met(), "dithering": dithering()}
 
 
 def write(contents):

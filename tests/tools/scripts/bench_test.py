@@ -11,6 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 BENCH = ROOT / "tests/tools/bench"
 sys.path[:0] = [str(ROOT / "tests/support"), str(BENCH)]
 from checks import check, failures  # noqa: E402
+import changes  # noqa: E402
 from spread import scatter, spread, text  # noqa: E402
 
 # A stand-in for a benchmark program. Each call of a name prints the next time of a list, doubled for each tier, quadrupled for Mesa.
@@ -106,9 +107,21 @@ def transports(folder):
     check("3.0 (1.5 .. 4.5)" in done.stderr, done.stderr)
 
 
+def changes_of_state():
+    """A change that takes over 3 % more fails, and so does one that is new or gone."""
+    was = {"light": {"lit": 1000, "unlit": 100}, "matrix": {"lit": 500, "unlit": 500}}
+    check(changes.compare(was, was) == ([], []), "equal counts are neither worse nor better")
+    slack = {"light": {"lit": 1030, "unlit": 98}, "matrix": {"lit": 500, "unlit": 500}}
+    check(changes.compare(slack, was) == ([], []), "3 % are allowed")
+    bad, better = changes.compare({"light": {"lit": 1031, "unlit": 97}, "matrix": was["matrix"]}, was)
+    check(bad == ["light, lit: 1,031 instructions, and took 1,000"] and better == ["light, unlit: 97 instructions, and took 100"], f"{bad} {better}")
+    bad, _ = changes.compare({"light": was["light"]}, was)
+    check(bad == ["other changes than in changes.json: matrix"], str(bad))
+
+
 def options(folder):
     """Impossible options are refused before anything is measured."""
-    for script in ("bench.py", "hal.py"):
+    for script in ("bench.py", "hal.py", "changes.py"):
         for bad in (["--jsn", "x"], ["--json"], ["--json", str(folder / "none/x.json")]):
             done = run(script, folder, *bad)
             check(done.returncode == 2 and done.stdout == "" and f"{script}: error: " in done.stderr, f"{script} {bad}: {done.returncode} {done.stderr}")
@@ -119,6 +132,7 @@ def options(folder):
 
 def main():
     quartiles()
+    changes_of_state()
     for part in (scenes, transports, options):
         with tempfile.TemporaryDirectory() as folder:
             for name in ("to_stdout", "to_file"):
