@@ -149,7 +149,8 @@ class CoordRuns {
     std::uint32_t dt;
 
     SPANGLE_INLINE CoordRuns(const Span<Fixed>& span, std::int32_t x, int unit)
-        : run_end_(x), log2_run_(-1), row_(span, unit), unit_(unit), span_(&span) {}
+        : run_end_(x), log2_run_(-1), row_(span, unit),
+          both_wrap_(span.state->wraps[unit].s && span.state->wraps[unit].t), unit_(unit), span_(&span) {}
 
     /// Makes s and t valid at pixel x, and returns the end of its run.
     SPANGLE_INLINE std::int32_t begin(std::int32_t x) { return x < run_end_ ? run_end_ : start_run(x); }
@@ -159,6 +160,18 @@ class CoordRuns {
     }
 
   private:
+    struct DividedCoord {
+        std::int64_t s, t; ///< in repeats, with 32 fraction bits; in run_start_ as runs follow them
+        DividedCoord() = default;
+        SPANGLE_INLINE DividedCoord(const inner::HomogeneousRow& row, int exponent)
+            : DividedCoord(row, 0, Inverse(row.q(0)), exponent) {}
+        SPANGLE_RUN_INLINE DividedCoord(const inner::HomogeneousRow& row, std::int32_t x,
+                                        const Inverse& inverse, int exponent) {
+            s = inner::to_repeats(row.s(x), inverse, exponent);
+            t = inner::to_repeats(row.t(x), inverse, exponent);
+        }
+    };
+
     SPANGLE_RUN_SELDOM std::int32_t start_run(std::int32_t x) {
         if (log2_run_ < 0) {
             if (span_->length <= short_row && is_one_run(x))
@@ -167,20 +180,25 @@ class CoordRuns {
         }
         const std::int32_t from = run_end_;
         run_end_ += std::int32_t{1} << log2_run_;
-        if (has_shortcuts && run_end_ <= last_full_run_end_) [[likely]] {
+        if (has_shortcuts && run_end_ < span_->length) [[likely]] {
             row_.q0 += run_steps_.q;
             const Inverse inverse(row_.q(0), w_zeros_);
             // The coordinates are computed one after the other, which takes few registers.
             const auto along = [&](std::uint64_t& row, std::uint64_t run, std::int64_t& last,
-                                   std::uint32_t& v, std::uint32_t& dv) SPANGLE_RUN_INLINE_LAMBDA {
+                                   const bool& wraps, const std::int32_t& base, std::uint32_t& v,
+                                   std::uint32_t& dv) SPANGLE_RUN_INLINE_LAMBDA {
                 row += run;
-                const std::int64_t end = inner::to_repeats(unguarded(row), inverse, exponent_);
+                std::int64_t end = inner::to_repeats(unguarded(row), inverse, exponent_);
+                if (!both_wrap_)
+                    end = followed(end, wraps, base);
                 v = static_cast<std::uint32_t>(last);
                 dv = per_pixel(difference(end, last));
                 last = end;
             };
-            along(row_.s0, run_steps_.s, run_start_.s, s, ds);
-            along(row_.t0, run_steps_.t, run_start_.t, t, dt);
+            const auto& wraps = span_->state->wraps[unit_];
+            const auto& unit = span_->unit[unit_];
+            along(row_.s0, run_steps_.s, run_start_.s, wraps.s, unit.s_base, s, ds);
+            along(row_.t0, run_steps_.t, run_start_.t, wraps.t, unit.t_base, t, dt);
         } else {
             start_clipped_run(from);
         }
@@ -193,8 +211,7 @@ class CoordRuns {
     /// Tries to take a short row as one run. Its ends cost less than logarithms, and bound the error better.
     /// Returns false where the row needs several runs, or where its coordinates saturate.
     SPANGLE_RUN_SELDOM bool is_one_run(std::int32_t x) {
-        const auto& wraps = span_->state->wraps[unit_];
-        if (!(wraps.s && wraps.t))
+        if (!both_wrap_)
             return false;
         const int exponent = span_->unit[unit_].exponent;
         const std::int32_t steps = span_->length - 1;
@@ -227,37 +244,46 @@ class CoordRuns {
         run_end_ = span_->length;
         return true;
     }
+    /// A coordinate as runs follow it: repeats where it wraps, and otherwise the number that to_coord()
+    /// makes.
+    SPANGLE_RUN_INLINE static std::int64_t followed(std::int64_t repeats, bool wraps, std::int32_t base) {
+        return wraps ? repeats
+                     : std::int64_t{static_cast<std::int32_t>(inner::to_coord(repeats, false, base))};
+    }
+    /// The coordinates where row_ begins, as runs follow them.
+    SPANGLE_RUN_INLINE DividedCoord followed_coord() const {
+        const auto& unit = span_->unit[unit_];
+        const auto& wraps = span_->state->wraps[unit_];
+        DividedCoord v(row_, exponent_);
+        v.s = followed(v.s, wraps.s, unit.s_base);
+        v.t = followed(v.t, wraps.t, unit.t_base);
+        return v;
+    }
     /// Finds the start of the first run of a row.
     SPANGLE_RUN_SELDOM void start_first_run(std::int32_t x) {
         log2_run_ = choose_log2();
         run_end_ = x & -(std::int32_t{1} << log2_run_);
         row_.begin_at(run_end_);
         exponent_ = span_->unit[unit_].exponent;
-        run_start_ = DividedCoord(row_, 0, Inverse(row_.q(0), w_zeros_), exponent_);
+        run_start_ = followed_coord();
         if (!has_shortcuts)
             return;
         run_steps_ = {row_.ds << log2_run_, row_.dt << log2_run_, row_.dq << log2_run_};
-        const auto& wraps = span_->state->wraps[unit_];
-        last_full_run_end_ = wraps.s && wraps.t ? span_->length - 1 : 0;
     }
-    /// Makes any run, also one that the end of the row cuts short, or one whose coordinates do not wrap.
+    /// Makes any run, also one that the end of the row cuts short.
     SPANGLE_RUN_SELDOM void start_clipped_run(std::int32_t from) {
-        const auto& unit = span_->unit[unit_];
         const std::int32_t limit = span_->length - 1, to = run_end_ < limit ? run_end_ : limit;
         row_.begin_at(to - from);
-        const DividedCoord end(row_, exponent_);
+        const DividedCoord end = followed_coord();
         const Inverse length = to == run_end_ ? Inverse{} : Inverse(to - from);
-        const auto along = [&](std::int64_t v0, std::int64_t v1, bool wraps, std::int32_t base,
-                               std::uint32_t& v, std::uint32_t& dv) SPANGLE_RUN_LAMBDA {
-            v = inner::to_coord(v0, wraps, base);
-            const std::int64_t d =
-                wraps ? difference(v1, v0)
-                      : std::int64_t{static_cast<std::int32_t>(inner::to_coord(v1, false, base))} -
-                            static_cast<std::int32_t>(v);
-            dv = to == run_end_ ? per_pixel(d) : inner::slope(d, to - from, length);
-        };
-        along(run_start_.s, end.s, span_->state->wraps[unit_].s, unit.s_base, s, ds);
-        along(run_start_.t, end.t, span_->state->wraps[unit_].t, unit.t_base, t, dt);
+        const auto along = [&](std::int64_t v0, std::int64_t v1, std::uint32_t& v, std::uint32_t& dv)
+                               SPANGLE_RUN_LAMBDA {
+                                   v = static_cast<std::uint32_t>(v0);
+                                   const std::int64_t d = difference(v1, v0);
+                                   dv = to == run_end_ ? per_pixel(d) : inner::slope(d, to - from, length);
+                               };
+        along(run_start_.s, end.s, s, ds);
+        along(run_start_.t, end.t, t, dt);
         run_start_.s = end.s; // written out, because compilers call memcpy() to copy both at once
         run_start_.t = end.t;
     }
@@ -268,18 +294,6 @@ class CoordRuns {
     static constexpr int max_log2 = 6, row_log2 = 16;
 
   private:
-    struct DividedCoord {
-        std::int64_t s, t; ///< coordinates in repeats, with 32 fraction bits
-        DividedCoord() = default;
-        SPANGLE_INLINE DividedCoord(const inner::HomogeneousRow& row, int exponent)
-            : DividedCoord(row, 0, Inverse(row.q(0)), exponent) {}
-        SPANGLE_RUN_INLINE DividedCoord(const inner::HomogeneousRow& row, std::int32_t x,
-                                        const Inverse& inverse, int exponent) {
-            s = inner::to_repeats(row.s(x), inverse, exponent);
-            t = inner::to_repeats(row.t(x), inverse, exponent);
-        }
-    };
-
     /// The difference of the coordinates at a run's ends, divided by the run's length.
     SPANGLE_INLINE std::uint32_t per_pixel(std::int64_t d) const {
         if constexpr (numeric::wide_words)
@@ -301,11 +315,10 @@ class CoordRuns {
             of_straight_tier<[](const Knobs& k) { return std::int32_t{k.shortest_run}; }>(draw);
         if (shortest != 0 && span_->length <= 1 << shortest)
             return shortest;
-        const auto& wraps = draw.wraps[unit_];
         const bool any_length =
             of_straight_tier<[](const Knobs& k) { return max_log2 < k.longest_run; }>(draw);
         const std::int32_t longest =
-            any_length && wraps.s && wraps.t // other coordinates saturate
+            any_length && both_wrap_ // coordinates that do not wrap saturate
                 ? of_straight_tier<[](const Knobs& k) { return std::int32_t{k.longest_run}; }>(draw)
                 : of_straight_tier<[](const Knobs& k) {
                       return std::int32_t{k.longest_run < max_log2 ? k.longest_run : max_log2};
@@ -332,8 +345,7 @@ class CoordRuns {
         std::uint64_t s, t, q;
     } run_steps_; ///< differences from run to run
     DividedCoord run_start_;
-    /// The last pixel at which a run may end that is not cut short; 0 where coordinates do not wrap.
-    std::int32_t last_full_run_end_;
+    bool both_wrap_;                                        ///< both coordinates wrap
     [[no_unique_address]] numeric::LeadingZeros<> w_zeros_; ///< leading zeros of w at the ends of runs
     int exponent_, unit_;
     const Span<Fixed>* span_;

@@ -63,7 +63,7 @@ struct LevelChoice {
     SPANGLE_INLINE static std::uint32_t weight_behind(std::int32_t biased_lod) {
         return (static_cast<std::uint32_t>(biased_lod) & 255) << 8;
     }
-    Sampling choose_sampling(std::int32_t lod) const {
+    [[gnu::noinline]] Sampling choose_sampling(std::int32_t lod) const {
         lod = with_lod_bias(lod);
         const bool late =
             texture.mag == Filter::linear && texture.min == Filter::nearest && texture.mip != MipFilter::none;

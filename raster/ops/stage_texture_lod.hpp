@@ -73,16 +73,8 @@ class LevelOfDetail {
         const auto along = [&](const Plane& of) {
             const std::int32_t v0 = of.at.value(first), v1 = of.at.value(last);
             Range range{0, 0};
-            const auto add = [&](std::int32_t dv, std::int32_t dq) SPANGLE_RUN_LAMBDA {
-                const std::int64_t n0 = numerator(dv, v0, dq, q0), n1 = numerator(dv, v1, dq, q1);
-                const std::uint64_t a = numeric::abs_u64(n0), b = numeric::abs_u64(n1),
-                                    off = (std::uint64_t{numeric::abs_u32(dv)} + numeric::abs_u32(dq)) * 2,
-                                    small = (n0 < 0) == (n1 < 0) ? a + b - largest(a, b) : 0;
-                range.least = largest(range.least, small > off ? small - off : 0);
-                range.most = largest(range.most, largest(a, b) + off);
-            };
-            add(of.dx, q_.dx);
-            add(of.dy, q_.dy);
+            range.add(of.dx, q_.dx, v0, v1, q0, q1);
+            range.add(of.dy, q_.dy, v0, v1, q0, q1);
             return range;
         };
         const Range s = along(s_), t = along(t_);
@@ -98,8 +90,19 @@ class LevelOfDetail {
         GuardedRow at;
         std::int32_t dx, dy;
     };
+    /// Bounds of the larger of some numerators, whose signs are dropped.
     struct Range {
         std::uint64_t least, most;
+        /// Adds a numerator that has these values of a plane and of q at the ends.
+        [[gnu::noinline]] void add(std::int32_t dv, std::int32_t dq, std::int32_t v0, std::int32_t v1,
+                                   std::int32_t q0, std::int32_t q1) {
+            const std::int64_t n0 = numerator(dv, v0, dq, q0), n1 = numerator(dv, v1, dq, q1);
+            const std::uint64_t a = numeric::abs_u64(n0), b = numeric::abs_u64(n1), large = largest(a, b),
+                                off = (std::uint64_t{numeric::abs_u32(dv)} + numeric::abs_u32(dq)) * 2,
+                                small = (n0 < 0) == (n1 < 0) ? a + b - large : 0;
+            least = largest(least, small > off ? small - off : 0);
+            most = largest(most, large + off);
+        }
     };
     const Span<Fixed>& span_;
     int unit_;
@@ -128,7 +131,7 @@ class LevelOfDetail {
     }
     static std::uint64_t largest(std::uint64_t a, std::uint64_t b) { return a > b ? a : b; }
 
-    std::int32_t lambda(std::uint64_t ds, std::uint64_t dt, std::int32_t q) const {
+    [[gnu::noinline]] std::int32_t lambda(std::uint64_t ds, std::uint64_t dt, std::int32_t q) const {
         return level_of_detail(in_texels(ds, dt) - 2 * log2_of_word8(static_cast<std::uint32_t>(q)) +
                                exponent_);
     }

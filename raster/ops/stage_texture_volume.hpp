@@ -26,7 +26,7 @@ template <class T> struct CubeFace {
     int s, t, major;     ///< index of the direction's component: 0, 1 or 2
     bool s_back, t_back; ///< the component is negated
     CubeFace(T x, T y, T z) {
-        const T ax = x < 0 ? -x : x, ay = y < 0 ? -y : y, az = z < 0 ? -z : z;
+        const auto ax = size_of(x), ay = size_of(y), az = size_of(z);
         if (az >= ax && az >= ay) {
             const bool back = z < 0;
             *this = {back ? 5u : 4u, 0, 1, 2, back, true};
@@ -40,6 +40,8 @@ template <class T> struct CubeFace {
     }
 
   private:
+    static std::uint32_t size_of(std::int32_t v) { return numeric::abs_u32(v); }
+    static double size_of(double v) { return v < 0 ? -v : v; }
     CubeFace(unsigned f, int s_of, int t_of, int m, bool s_negative, bool t_negative)
         : face(f), s(s_of), t(t_of), major(m), s_back(s_negative), t_back(t_negative) {}
 };
@@ -49,71 +51,84 @@ class VolumeCoords {
   public:
     VolumeCoords(const Span<Fixed>& span, int unit)
         : unit_coords_(span.unit[unit]), texture_(*span.state->fragment.unit[unit].texture),
-          has_lod_(raster::wants_lod(texture_)), s_(span, unit_coords_.s), t_(span, unit_coords_.t),
-          r_(span, unit_coords_.r), q_(span, unit_coords_.q) {}
+          has_lod_(raster::wants_lod(texture_)), planes_{plane(span, unit_coords_.s, unit_coords_.s_dy),
+                                                         plane(span, unit_coords_.t, unit_coords_.t_dy),
+                                                         plane(span, unit_coords_.r, unit_coords_.r_dy),
+                                                         plane(span, unit_coords_.q, unit_coords_.q_dy)} {}
 
     [[gnu::noinline]] VolumePlace at(std::int32_t x) const {
-        Planes s(s_.value(x), unit_coords_.s.dx, unit_coords_.s_dy),
-            t(t_.value(x), unit_coords_.t.dx, unit_coords_.t_dy),
-            r(r_.value(x), unit_coords_.r.dx, unit_coords_.r_dy);
+        const std::int32_t v[3] = {planes_[0].at.value(x), planes_[1].at.value(x), planes_[2].at.value(x)};
         const bool cube = has_cube_maps && texture_.shape == TextureShape::cube;
         VolumePlace place;
-        place.face = cube ? face(s, t, r) : 0;
-        const Planes q =
-            // q divides the other coordinates: in a cube map it is the largest one, elsewhere the fourth.
-            cube ? r : Planes(q_.value(x), unit_coords_.q.dx, unit_coords_.q_dy);
-        const Inverse inverse(positive(q.v));
+        place.face = 0;
+        // Each coordinate is one of the planes, which may be negated. q is what the others are divided by.
+        Part s{v[0], 0, false}, t{v[1], 1, false}, q{0, 3, false};
+        if (cube) {
+            const CubeFace<std::int32_t> face(v[0], v[1], v[2]);
+            place.face = face.face;
+            s = {v[face.s], face.s, face.s_back};
+            t = {v[face.t], face.t, face.t_back};
+            q = {v[face.major], face.major, v[face.major] < 0};
+        } else {
+            q.v = planes_[3].at.value(x);
+        }
+        const Inverse inverse(positive(q.value()));
         const int exponent = cube ? 0 : unit_coords_.exponent;
-        const auto repeats = [&](std::int32_t v) SPANGLE_RUN_LAMBDA {
-            const std::int64_t of = inner::to_repeats(v, inverse, exponent);
+        const auto repeats = [&](std::int32_t of) SPANGLE_RUN_LAMBDA {
+            const std::int64_t n = inner::to_repeats(of, inverse, exponent);
             // In a cube map -1 .. 1 becomes 0 .. 1: s = (sc / |ma| + 1) / 2.
-            return cube ? (of + (std::int64_t{1} << 32)) >> 1 : of;
+            return cube ? (n + (std::int64_t{1} << 32)) >> 1 : n;
         };
-        place.s = word(repeats(s.v), texture_.wrap_s);
-        place.t = word(repeats(t.v), texture_.wrap_t);
+        place.s = word(repeats(s.value()), texture_.wrap_s);
+        place.t = word(repeats(t.value()), texture_.wrap_t);
         const bool volume = texture_.shape == TextureShape::volume;
         place.r = 0;
         if (volume)
-            place.r = word(repeats(r.v), texture_.wrap_r);
+            place.r = word(repeats(v[2]), texture_.wrap_r);
         else if (!cube)
-            place.r = static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(repeats(r.v) >> 2, 0, 1 << 30));
-        place.lod = 0;
-        if (!has_lod_)
-            return place;
-        const TextureLevel& base = texture_.level[0];
-        std::int32_t most = steps(s, q, base.width);
-        const auto also = [&](std::int32_t other) { most = other > most ? other : most; };
-        if (texture_.shape != TextureShape::line)
-            also(steps(t, q, base.height));
-        if (volume)
-            also(steps(r, q, texture_.depth));
-        place.lod = level_of_detail(most - 2 * log2_of_word8(static_cast<std::uint32_t>(positive(q.v))) +
-                                    (cube ? -256 : unit_coords_.exponent << 8));
+            place.r =
+                static_cast<std::uint32_t>(numeric::clamp<std::int64_t>(repeats(v[2]) >> 2, 0, 1 << 30));
+        place.lod = has_lod_ ? lambda(s, t, {v[2], 2, false}, q) : 0;
         return place;
     }
 
   private:
-    /// A projective value, and its differences from column to column and from row to row.
-    struct Planes {
-        std::int32_t v, dx, dy;
-        Planes(std::int32_t value, std::uint64_t across, std::uint64_t up)
-            : v(value), dx(unguarded(across)), dy(unguarded(up)) {}
-        Planes turned(bool back) const {
-            return back ? Planes{negate_wide(v), negate_wide(dx), negate_wide(dy)} : *this;
+    /// A plane along the row, and its differences from column to column and from row to row.
+    struct Plane {
+        GuardedRow at;
+        std::int32_t dx, dy;
+    };
+    static Plane plane(const Span<Fixed>& span, const Span<Fixed>::Projective& of, std::uint64_t dy) {
+        return {{span, of}, unguarded(of.dx), unguarded(dy)};
+    }
+    /// The value of a plane at a fragment. `back` negates the plane.
+    struct Part {
+        std::int32_t v;
+        int plane;
+        bool back;
+        std::int32_t of(std::int32_t n) const {
+            return back ? static_cast<std::int32_t>(0 - static_cast<std::uint32_t>(n)) : n;
         }
-
-      private:
-        Planes(std::int32_t value, std::int32_t across, std::int32_t up) : v(value), dx(across), dy(up) {}
-        static std::int32_t negate_wide(std::int32_t v) {
-            return static_cast<std::int32_t>(0 - static_cast<std::uint32_t>(v));
-        }
+        std::int32_t value() const { return of(v); }
     };
 
     const Span<Fixed>::Unit& unit_coords_;
     const Texture& texture_;
     const bool has_lod_;
-    const GuardedRow s_, t_, r_, q_;
+    const Plane planes_[4]; ///< s, t, r and q
 
+    [[gnu::noinline]] std::int32_t lambda(const Part& s, const Part& t, const Part& r, const Part& q) const {
+        const bool cube = has_cube_maps && texture_.shape == TextureShape::cube;
+        const TextureLevel& base = texture_.level[0];
+        std::int32_t most = steps(s, q, base.width);
+        const auto also = [&](std::int32_t other) { most = other > most ? other : most; };
+        if (texture_.shape != TextureShape::line)
+            also(steps(t, q, base.height));
+        if (texture_.shape == TextureShape::volume)
+            also(steps(r, q, texture_.depth));
+        return level_of_detail(most - 2 * log2_of_word8(static_cast<std::uint32_t>(positive(q.value()))) +
+                               (cube ? -256 : unit_coords_.exponent << 8));
+    }
     static std::int32_t positive(std::int32_t q) { return q > 0 ? q : 1; }
 
     static std::uint32_t word(std::int64_t repeats, Wrap wrap) {
@@ -123,23 +138,14 @@ class VolumeCoords {
     }
 
     /// log2 of the step of v / q times q^2, of the larger step of both directions, in 256ths.
-    static std::int32_t steps(const Planes& v, const Planes& q, std::uint32_t size) {
+    [[gnu::noinline]] std::int32_t steps(const Part& v, const Part& q, std::uint32_t size) const {
+        const Plane &of_v = planes_[v.plane], &of_q = planes_[q.plane];
         const auto step = [&](std::int32_t dv, std::int32_t dq) {
-            return numeric::abs_u64(numeric::mul_s32(dv, q.v) - numeric::mul_s32(v.v, dq));
+            return numeric::abs_u64(numeric::mul_s32(v.of(dv), q.value()) -
+                                    numeric::mul_s32(v.value(), q.of(dq)));
         };
-        const std::uint64_t dx = step(v.dx, q.dx), dy = step(v.dy, q.dy);
+        const std::uint64_t dx = step(of_v.dx, of_q.dx), dy = step(of_v.dy, of_q.dy);
         return log2_fraction8(dx > dy ? dx : dy) + log2_fraction8(size);
-    }
-
-    /// Finds the face of a direction. s and t become the coordinates in that face, and r becomes the major
-    /// component. Factors that all three components share cancel.
-    static unsigned face(Planes& s, Planes& t, Planes& r) {
-        const Planes planes[3] = {s, t, r};
-        const CubeFace<std::int64_t> face(s.v, t.v, r.v);
-        s = planes[face.s].turned(face.s_back);
-        t = planes[face.t].turned(face.t_back);
-        r = planes[face.major].turned(planes[face.major].v < 0);
-        return face.face;
     }
 };
 

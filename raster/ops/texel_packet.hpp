@@ -121,9 +121,10 @@ SPANGLE_INLINE void read_texels(const TexelOffsets& s, const TexelOffsets& t, bo
 inline void fetch_texels(const Texture& texture, const TextureLevel& image, const TexelOffsets& s,
                          const TexelOffsets& t, bool linear, std::int32_t n, std::uint16_t (*to)[4]) {
     if (is_indirect(texture.format))
-        return read_texels(s, t, linear, n, to, [&](std::int32_t i, std::int32_t j) {
-            return Lanes<1>::load(palette_entry(texture, image, i, j));
-        });
+        return read_texels(
+            s, t, linear, n, to, [&](std::int32_t i, std::int32_t j) __attribute__((noinline)) {
+                return Lanes<1>::load(palette_entry(texture, image, i, j));
+            });
     read_texels(
         s, t, linear, n,
         to, [texels = image.texels](std::int32_t across, std::int32_t up) __attribute__((always_inline)) {
@@ -155,10 +156,13 @@ inline void fetch_texels(const Texture& texture, const TextureLevel& image, cons
     case TexelFormat::rgba8888:
         return each([](const std::uint8_t* at) { return rgba_word<TexelFormat::rgba8888>(at); });
     default:
+        if (has_other_texels && !is_indirect(texture.format))
+            return each(word_4444);
         if constexpr (has_other_texels)
-            read_texels(s, t, linear, n, to, [&](std::int32_t across, std::int32_t up) {
-                return other_word(texture, image, across, up);
-            });
+            read_texels(
+                s, t, linear, n, to, [&](std::int32_t i, std::int32_t j) __attribute__((noinline)) {
+                    return other_word(texture, image, i, j);
+                });
     }
 }
 

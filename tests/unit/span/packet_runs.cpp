@@ -62,6 +62,8 @@ class AnyPrimitive {
         for (const Row& row : rows_) {
             enter(span_, row);
             const LevelOfDetail lod(span_, 0);
+            LevelOfDetail::Bounds bounds;
+            const bool bounded = lod.bounds(span_.begin, span_.end - 1, bounds);
             CoordRuns run(span_, span_.begin, 0);
             std::int32_t end = span_.begin;
             for (std::int32_t x = span_.begin; x < span_.end; ++x, run.step(), ++next) {
@@ -73,6 +75,10 @@ class AnyPrimitive {
                 ASSERT_EQ(next->s, run.s) << x << " of " << span_.length << ", row " << row.y;
                 ASSERT_EQ(next->t, run.t) << x << " of " << span_.length << ", row " << row.y;
                 ASSERT_EQ(next->lod, lod.projective(x)) << x << " of " << span_.length << ", row " << row.y;
+                if (!bounded)
+                    continue;
+                ASSERT_LE(bounds.least, next->lod) << x << " of " << span_.length << ", row " << row.y;
+                ASSERT_GE(bounds.most, next->lod) << x << " of " << span_.length << ", row " << row.y;
             }
         }
         ASSERT_EQ(next, seen.cend());

@@ -1,7 +1,8 @@
 // Places in volumes, cube maps and compared depths are the same integers for eight fragments at once as for
-// one fragment after the other.
+// one fragment after the other. Packets of one lane have the colours of their fragments.
 #include <gtest/gtest.h>
 
+#include "raster/chain/assemble.hpp"
 #include "raster/ops/stage_volume_packet.hpp"
 #include "tests/unit/span/any_texture.hpp"
 
@@ -108,6 +109,45 @@ TEST(VolumeLanes, PlacesAreThoseOfOneFragment) {
     EXPECT_GT(levels, 100000);
     for (const int face : faces)
         EXPECT_GT(face, 5000);
+}
+
+/// Draws a packet by REPLACE, and each of its fragments by itself.
+template <class N> void expect_packet(Random& random, Case& c) {
+    c.draw.fragment.unit[0].env = TexEnv::replace;
+    const TextureUnit& unit = c.draw.fragment.unit[0];
+    const VolumeFunction<N> function(unit);
+    const VolumeCoords coords(c.span, 0);
+    Packet<N> packet;
+    packet.x = c.places.x;
+    packet.n = 1 + static_cast<std::int32_t>(random.below(packet_length));
+    const typename N::Color before{1, 2, 3, 4};
+    for (auto& color : packet.color)
+        color = before;
+    PacketTexture<N>::template run<0>(packet, c.span);
+    for (std::int32_t i = 0; i < packet.n; ++i) {
+        typename N::Color expected = before;
+        apply_env<N>(TexEnv::replace, unit.texture->base, expected, function.sample(coords.at(packet.x + i)),
+                     before);
+        ASSERT_EQ(packet.color[i].r, expected.r) << i;
+        ASSERT_EQ(packet.color[i].g, expected.g) << i;
+        ASSERT_EQ(packet.color[i].b, expected.b) << i;
+        ASSERT_EQ(packet.color[i].a, expected.a) << i;
+    }
+}
+
+TEST(VolumeLanes, PacketsOfOneLaneAreTheirFragments) {
+    Random random{95};
+    for (int round = 0; round < 10000; ++round) {
+        const AnyTexture of(random);
+        if (!wants_r(of.texture))
+            continue;
+        Case c(random, of.texture);
+        if (round % 2 == 0) // neighbours are near each other
+            for (auto* plane : {&c.span.unit[0].s, &c.span.unit[0].t, &c.span.unit[0].r, &c.span.unit[0].q})
+                plane->dx = static_cast<std::uint64_t>(static_cast<std::int64_t>(plane->value) >> 8);
+        expect_packet<Balanced<1>>(random, c);
+        expect_packet<Exact>(random, c);
+    }
 }
 
 } // namespace
