@@ -63,7 +63,7 @@ class AnyPrimitive {
             enter(span_, row);
             const LevelOfDetail lod(span_, 0);
             LevelOfDetail::Bounds bounds;
-            const bool bounded = lod.bounds(span_.begin, span_.end - 1, bounds);
+            const bool bounded = fit_words() && lod.bounds(span_.begin, span_.end - 1, bounds);
             CoordRuns run(span_, span_.begin, 0);
             std::int32_t end = span_.begin;
             for (std::int32_t x = span_.begin; x < span_.end; ++x, run.step(), ++next) {
@@ -110,6 +110,19 @@ class AnyPrimitive {
     std::vector<Row> rows_;
     std::int32_t widest_ = 1;
 
+    /// Whether 32 bits hold the values of all planes along the row, as they do inside of primitives.
+    bool fit_words() const {
+        const auto fits = [&](const Interpolant<std::uint64_t>& plane) {
+            for (const std::int32_t x : {span_.begin, span_.end - 1}) {
+                const std::int64_t v = static_cast<std::int64_t>(span_.at(x, plane)) >> guard_bits;
+                if (v != static_cast<std::int32_t>(v))
+                    return false;
+            }
+            return true;
+        };
+        const auto& unit = span_.unit[0];
+        return fits(unit.s) && fits(unit.t) && fits(unit.shares_q ? span_.q : unit.q);
+    }
     bool chance(std::uint32_t of) { return random_.below(of) == 0; }
     std::int32_t between(std::int32_t least, std::int32_t most) {
         return least + static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(most - least + 1)));
