@@ -263,6 +263,63 @@ void expect_near(const Matrix& got, const Double4x4& want, double bound, const c
             ASSERT_LE(std::fabs(value(got.at(i, j)) - want.at[i][j]), most * bound)
                 << what << ' ' << i << ' ' << j;
 }
+/// Returns an element of a random matrix. Half of the elements are 0 or powers of two near 1.
+Element random_element(Random& random) {
+    switch (random.next() & 7) {
+    case 0:
+    case 1:
+    case 2:
+        return {};
+    case 3:
+        return {(random.next() & 1) != 0 ? Matrix::one : -Matrix::one,
+                static_cast<std::int8_t>(Matrix::one_e + random.range(-1, 1))};
+    case 4:
+        return make_element(static_cast<std::int32_t>(random.word()), random.range(-150, 104));
+    default:
+        return make_element(static_cast<std::int32_t>(random.word()), random.range(-40, 0));
+    }
+}
+
+/// Hosts leave out products that are 0, and boards do not. Their bits must be those of all four terms.
+TEST(Matrix, ProductsWithZerosAreSumsOfAllTerms) {
+    Random random(31);
+    for (int round = 0; round < 50000; ++round) {
+        Matrix a, b;
+        for (int i = 0; i < 16; ++i) {
+            a.set(i & 3, i >> 2, random_element(random));
+            b.set(i & 3, i >> 2, random_element(random));
+        }
+        const Matrix product = multiply(a, b);
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j) {
+                Element row[4], column[4];
+                for (int k = 0; k < 4; ++k) {
+                    row[k] = a.at(i, k);
+                    column[k] = b.at(k, j);
+                }
+                const Element sum = detail::sum_of_products(row, column);
+                ASSERT_EQ(product.at(i, j).m, sum.m) << round;
+                ASSERT_EQ(product.at(i, j).e, sum.e) << round;
+            }
+    }
+}
+
+/// Floats become elements, and elements blocks, as any number does.
+TEST(Matrix, ShortWaysOfElementsAreThoseOfAnyNumber) {
+    Random random(32);
+    for (int round = 0; round < 1000000; ++round) {
+        const Real v = from_float_bits(random.word());
+        const auto unpacked = detail::unpack(v);
+        const auto mantissa = static_cast<std::int64_t>(unpacked.mantissa);
+        const Element expected = make_element(unpacked.negative ? -mantissa : mantissa, unpacked.exponent);
+        const Element given = to_element(v), other = random_element(random);
+        ASSERT_EQ(given.m, expected.m) << v.bits;
+        ASSERT_EQ(given.e, expected.e) << v.bits;
+        const Block block = to_block(other), any = make_block(other.m, other.e + element_bias);
+        ASSERT_EQ(block.m, any.m);
+        ASSERT_EQ(block.e, any.e);
+    }
+}
 
 TEST(Matrix, RotationsAreWithin2ToMinus28) {
     Random random(27);
