@@ -2,4 +2,4 @@
 // version of the build.
 #pragma once
 
-#define SPANGLE_VERSION "0.1.0"
+#define SPANGLE_VERSION "0.2.0"
