@@ -84,10 +84,12 @@ template <class N> class ChainBuilder : ChainEnd {
     }
 };
 
-/// True where the depth test may go first, because no stage after it can drop the fragment. The bytes are the
-/// same, and dropped fragments cost less.
+/// True where the depth test may go first, because no stage after it can drop the fragment, or because the
+/// test has no effect on fragments that are dropped later. The bytes are the same, and dropped fragments cost
+/// less.
 constexpr bool early_tests(const Key& key) {
-    return key.alpha == Compare::always && !key.samples;
+    const bool has_effect = key.depth_write || key.stencil || key.count;
+    return (key.alpha == Compare::always || !has_effect) && !key.samples;
 }
 
 /// Adds the depth stage of the format that the key names.
@@ -124,6 +126,18 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
                                                                                                        key);
     if (key.count)
         chain.template add<Count<SingleLane>>();
+}
+
+/// Adds a depth test that only drops fragments, before stages that may drop others. add_tests() adds the test
+/// that writes after these stages. No fragment of a packet hides another one of it, so both tests agree.
+/// Where stipples or samples take stages too, a chain may have no room for this one (max_stages).
+template <class N> void add_hidden_test(ChainBuilder<N>& chain, const Key& key) {
+    using System = Colorless<N>;
+    if (key.depth != Compare::always && !key.stencil && !key.depth_offset && !key.polygon_stipple &&
+        !key.samples)
+        add_depth<N, DepthGeneral<System, DepthFormat::z16, DepthValueOf<System, DepthFormat::z16>, false>,
+                  DepthGeneral<System, DepthFormat::z24s8, DepthValueOf<System, DepthFormat::z24s8>, false>>(
+            chain, key);
 }
 
 template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::Policy, Fixed>;
@@ -404,6 +418,8 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
     const bool early = early_tests(key);
     if (early)
         add_tests(chain, key);
+    else if constexpr (by_lanes<N>)
+        add_hidden_test(chain, key);
     add_inverses(chain, key);
     add_primary(chain, key);
     const bool around = is_balanced<N> && has_textures && has_fog && fogs_light(key);
@@ -432,6 +448,8 @@ template <class N> void assemble(Variant& variant, const Key& key, const Fragmen
         chain.template add<AlphaTest<N>>();
     if (!early)
         add_tests(chain, key);
+    if (state.color_mask == 0 && !drawn_narrow(key.format))
+        return; // no colour is stored
     if constexpr (!std::is_same_v<N, Balanced<host_lanes>> &&
                   has_narrow_formats) // balanced numbers never draw narrow formats (key.cpp)
         if (drawn_narrow(key.format))

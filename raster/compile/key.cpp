@@ -78,12 +78,33 @@ void blend_key(Key& key, const FragmentState& state) {
         key.blending = rgb;
 }
 
-/// Whether a stage after the texture units reads alpha, in a build whose spans include such stages.
-bool alpha_is_read(const Key& key, const FragmentState& state) {
-    return (spans_test_alpha && key.alpha != Compare::always) || has_alpha(key.format) ||
+/// Whether a stage after the texture units reads alpha, in a build whose spans include such stages. `writes`
+/// says that colours are written.
+bool alpha_is_read(const Key& key, const FragmentState& state, bool writes) {
+    return (spans_test_alpha && key.alpha != Compare::always) || (writes && has_alpha(key.format)) ||
            (has_samples && state.alpha_to_coverage) ||
            (spans_blend && key.blend &&
             (source_alpha(state.blend_rgb.src) || source_alpha(state.blend_rgb.dst)));
+}
+
+/// Sets the keys of the units whose colour reaches what is read after the texture units. REPLACE hides the
+/// units before it. A combiner may read the colours of all units.
+void set_units(Key& key, const FragmentState& state, bool reads_color, bool reads_alpha) {
+    const bool all = uses_combiners(state) && (reads_color || reads_alpha);
+    for (int i = max_texture_units - 1; i >= 0; --i) {
+        const TextureUnit& unit = state.unit[i];
+        if (!unit_on(unit))
+            continue;
+        const BaseFormat base = unit.texture->base;
+        const bool color = base != BaseFormat::alpha,
+                   alpha = base != BaseFormat::rgb && base != BaseFormat::luminance;
+        if (all || (reads_color && color) || (reads_alpha && alpha))
+            set_unit(key.unit[i], unit);
+        if (unit.env == TexEnv::replace) {
+            reads_color = reads_color && !color;
+            reads_alpha = reads_alpha && !alpha;
+        }
+    }
 }
 
 /// Whether the colour is the 16 bits R5 G6 B5 from its source to the surface.
@@ -150,21 +171,30 @@ Key key_of_any_kind(const FragmentState& state, const Surface& target) {
         index_key(key, state);
         return key;
     }
-    for (int i = 0; i < max_texture_units; ++i)
-        set_unit(key.unit[i], state.unit[i]);
-    // In builds without a chain no span has a colour sum.
-    key.color_sum = (has_color_sum || !has_chain) && state.color_sum;
-    key.samples = has_samples && (state.alpha_to_coverage || state.alpha_to_one || state.sample_coverage);
-    if (state.alpha_test)
-        key.alpha = state.alpha_func;
-    blend_key(key, state);
     const std::uint8_t channels = has_alpha(target.format) ? 0xF : 0x7;
     key.masked = (state.color_mask & channels) != channels;
-    key.coverage = SPANGLE_FEATURE_ANTIALIASING && state.coverage && alpha_is_read(key, state);
-    key.combine = uses_combiners(state);
+    // Where no channel is written, only the tests read a colour.
+    const bool writes = (state.color_mask & channels) != 0;
+    if (writes) {
+        // In builds without a chain no span has a colour sum.
+        key.color_sum = (has_color_sum || !has_chain) && state.color_sum;
+        blend_key(key, state);
+    } else {
+        key.fog = key.logic = false;
+        key.fog_mode = {};
+    }
+    key.samples = has_samples && (state.alpha_to_coverage || state.alpha_to_one || state.sample_coverage);
+    const bool any_alpha = (state.alpha_func == Compare::lequal && state.alpha_ref == 255) ||
+                           (state.alpha_func == Compare::gequal && state.alpha_ref == 0);
+    if (state.alpha_test && !any_alpha)
+        key.alpha = state.alpha_func;
+    const bool reads_alpha = alpha_is_read(key, state, writes);
+    set_units(key, state, writes, reads_alpha);
+    key.coverage = SPANGLE_FEATURE_ANTIALIASING && state.coverage && reads_alpha;
     // Combiners may ask for the primary colour in any unit, and for alpha as a colour.
-    key.color = color_survives(state, false);
-    key.color_alpha = key.combine || (color_survives(state, true) && alpha_is_read(key, state));
+    key.combine = uses_combiners(state) && (writes || reads_alpha);
+    key.color = writes && color_survives(state, false);
+    key.color_alpha = key.combine || (color_survives(state, true) && reads_alpha);
     key.color = key.color || key.color_alpha;
     if (has_pixel_colors && key.color && state.colors != Colors::of_vertices) {
         key.pixels = true;

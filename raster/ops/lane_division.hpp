@@ -3,7 +3,7 @@
 #pragma once
 
 #include "raster/ops/coord_runs.hpp"
-#include "raster/ops/lane_products.hpp"
+#include "raster/ops/lane_planes.hpp"
 #include "raster/ops/packet_rows.hpp"
 #include "raster/span/instructions.hpp"
 
@@ -34,13 +34,10 @@ template <class Vector> struct LongPair {
     }
     /// numeric::times_two_to(v, -down), where each word has its own `down`.
     SPANGLE_INLINE LongPair after(const Vector& down) const {
-        const Vector most = Vector{} + 63u;
-        const auto n = lane_words::as_signed(down);
-        const auto over = std::bit_cast<Vector>(n > 63), under = std::bit_cast<Vector>(n < -63);
-        const Vector right = (most & over) | ((0 - most) & under) | (down & ~(over | under)),
-                     left = 0 - right;
-        return {shifted(even, even_words(right), even_words(left)),
-                shifted(odd, odd_words(right), odd_words(left))};
+        if (lane_words::any_set(down & ~63u)) [[unlikely]]
+            return after_any(*this, down);
+        return {shifted_right(even, std::bit_cast<Long>(even_words(down))),
+                shifted_right(odd, std::bit_cast<Long>(odd_words(down)))};
     }
     SPANGLE_INLINE LongPair operator+(std::int64_t n) const {
         const Long by = Long{} + static_cast<std::uint64_t>(n);
@@ -80,11 +77,24 @@ template <class Vector> struct LongPair {
     SPANGLE_INLINE static Vector even_words(const Vector& v) {
         return std::bit_cast<Vector>(std::bit_cast<Long>(v) & 0xFFFFFFFFu);
     }
+    /// after() for any `down`, negative or too large.
+    [[gnu::noinline]] static LongPair after_any(const LongPair& v, const Vector& down) {
+        const Vector most = Vector{} + 63u;
+        const auto n = lane_words::as_signed(down);
+        const auto over = std::bit_cast<Vector>(n > 63), under = std::bit_cast<Vector>(n < -63);
+        const Vector right = (most & over) | ((0 - most) & under) | (down & ~(over | under)),
+                     left = 0 - right;
+        return {shifted(v.even, even_words(right), even_words(left)),
+                shifted(v.odd, odd_words(right), odd_words(left))};
+    }
+    /// floor(v / 2^n), where v is signed and each n is below 64.
+    SPANGLE_INLINE static Long shifted_right(const Long& v, const Long& n) {
+        return whole(v ^ sign, n, false) - whole(Long{} + sign, n, false);
+    }
     /// Shifts v to the right or to the left. One of the two numbers is negative, and its shift gives 0; or
     /// both numbers are 0.
     SPANGLE_INLINE static Long shifted(const Long& v, const Vector& right, const Vector& left) {
-        const auto r = std::bit_cast<Long>(right), l = std::bit_cast<Long>(left);
-        return (whole(v ^ sign, r, false) - whole(Long{} + sign, r, false)) | whole(v, l, true);
+        return shifted_right(v, std::bit_cast<Long>(right)) | whole(v, std::bit_cast<Long>(left), true);
     }
     /// Shifts by n. The result is 0 where n, taken as unsigned, is 64 or more.
     SPANGLE_INLINE static Long whole(const Long& v, const Long& n, bool up) {
@@ -225,42 +235,6 @@ struct InverseLanes {
             },
             words);
     }
-};
-
-/// A plane with guard bits, evaluated at the fragments of a packet that rows share.
-class PlaneInRows {
-  public:
-    SPANGLE_INLINE explicit PlaneInRows(const Span<Fixed>::Projective& plane)
-        : value_(plane.value), dx_(plane.dx), dy_(plane.dy) {}
-    /// The signed value without guard bits. Places are signed, too, and count from the anchor.
-    SPANGLE_INLINE LaneWords at(const LaneWords& x, const LaneWords& y) const {
-        return LaneWords::mapped(
-            [this](const auto& columns, const auto& lines) __attribute__((always_inline)) {
-                using Vector = std::remove_cvref_t<decltype(columns)>;
-                using Long = inner::Longs<Vector>;
-                const Vector by_x = Vector{} + dx_.low, by_y = Vector{} + dy_.low;
-                const auto by = [&](const Vector& column, const Vector& line) __attribute__((always_inline)) {
-                    return inner::even_products_signed(column, by_x) +
-                           inner::even_products_signed(line, by_y) + value_;
-                };
-                const auto high = std::bit_cast<Long>(columns * dx_.high + lines * dy_.high);
-                const Long even = by(columns, lines) + (high << 32),
-                           odd = by(inner::odd_words(columns), inner::odd_words(lines)) +
-                                 (high & 0xFFFFFFFF00000000u);
-                return inner::LongPair<Vector>{even >> guard_bits, odd >> guard_bits}.low_words();
-            },
-            x, y);
-    }
-
-  private:
-    /// A factor of 64 bits as two words. The low word counts as signed.
-    struct Factor {
-        std::uint32_t low, high;
-        SPANGLE_INLINE explicit Factor(std::uint64_t v)
-            : low(static_cast<std::uint32_t>(v)), high(static_cast<std::uint32_t>((v + 0x80000000u) >> 32)) {}
-    };
-    std::uint64_t value_;
-    Factor dx_, dy_;
 };
 
 } // namespace SPANGLE_INSTRUCTIONS

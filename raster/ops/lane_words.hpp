@@ -48,6 +48,17 @@ template <class Vector> SPANGLE_INLINE Vector larger(const Vector& a, const Vect
         r[i] = s[i] < t[i] ? t[i] : s[i];
     return std::bit_cast<Vector>(r);
 }
+/// True where at least one bit of the vector is set.
+template <class Vector> SPANGLE_INLINE bool any_set(const Vector& v) {
+#if defined(__AVX2__)
+    if constexpr (sizeof(Vector) == 32)
+        return _mm256_testz_si256(std::bit_cast<__m256i>(v), std::bit_cast<__m256i>(v)) == 0;
+#endif
+    std::uint32_t bits = 0;
+    for (unsigned i = 0; i < sizeof(Vector) / 4; ++i)
+        bits |= v[i];
+    return bits != 0;
+}
 /// max(v, 0) of signed numbers.
 template <class Vector> SPANGLE_INLINE Vector positive(const Vector& v) {
     auto r = as_signed(v);

@@ -1,6 +1,7 @@
 // Packets that short rows of a primitive share. Each fragment of such a packet has a place of its own.
 #pragma once
 
+#include "raster/ops/lane_planes.hpp"
 #include "raster/ops/lanes.hpp"
 #include "raster/span/draw_state.hpp"
 #include "raster/span/instructions.hpp"
@@ -95,12 +96,7 @@ template <class L> struct PlaneLanes {
     }
     /// The high words of the values of a plane of 64 bits.
     SPANGLE_INLINE typename L::U32 tops(const Interpolant<std::uint64_t>& plane) const {
-        return L::generate([&](std::uint32_t lane) __attribute__((always_inline)) {
-            const auto i = static_cast<int>(lane);
-            return static_cast<std::uint32_t>(plane.at(static_cast<std::int32_t>(columns.lane(i)),
-                                                       static_cast<std::int32_t>(lines.lane(i))) >>
-                                              32);
-        });
+        return PlaneInRows(plane).tops(columns, lines);
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "raster/ops/packet_rows.hpp"
 #include "raster/ops/stage.hpp"
 #include "raster/span/draw_state.hpp"
 #include "raster/span/instructions.hpp"
@@ -59,22 +60,26 @@ template <class N> struct DepthValue : StageBase {
 /// The interpolated depth of the fixed policy, for depth buffers of 24 bits.
 template <class N> struct DepthValue24 : StageBase {
     std::uint64_t z, dx;
-    bool of_lanes = false; ///< each lane has its own place, and `given` holds the depth of each lane
-    typename N::L::U32 given;
     SPANGLE_INLINE DepthValue24(const Span<typename N::Policy>& s, std::int32_t x)
         : z(s.at(x, s.z24)), dx(s.z24.dx) {}
-    SPANGLE_INLINE DepthValue24(const PlaneLanes<typename N::L>& s, std::int32_t)
-        : z(0), dx(0), of_lanes(true), given(s.tops(s.planes.z24)) {}
     SPANGLE_INLINE std::uint32_t word() const { return static_cast<std::uint32_t>(z >> 32); }
-    /// The word() of each lane.
-    SPANGLE_INLINE typename N::L::U32 words() const {
-        if (of_lanes)
-            return given;
-        return N::L::generate([this](std::uint32_t lane) __attribute__((always_inline)) {
-            return static_cast<std::uint32_t>((z + lane * dx) >> 32);
-        });
+    SPANGLE_INLINE void step() { z += dx; }
+};
+template <class N>
+requires(N::lanes > 1) struct DepthValue24<N> : StageBase {
+    inner::GuardedLanes<> row;
+    bool in_row; ///< the fragments lie in one row; otherwise `given` holds the depth of each lane
+    typename N::L::U32 given;
+    SPANGLE_INLINE DepthValue24(const Span<typename N::Policy>& s, std::int32_t x)
+        : row(s, x, s.z24), in_row(true) {}
+    SPANGLE_INLINE DepthValue24(const PlaneLanes<typename N::L>& s, std::int32_t)
+        : in_row(false), given(s.tops(s.planes.z24)) {}
+    /// The depth of each lane as 32 bits, whose top bits are the code.
+    SPANGLE_INLINE typename N::L::U32 words() const { return in_row ? row.tops() : given; }
+    SPANGLE_INLINE void step() {
+        if (in_row)
+            row.step();
     }
-    SPANGLE_INLINE void step() { z += std::uint64_t{N::lanes} * dx; }
 };
 
 /// The depth value of a number system for a depth format. The reference policy, and builds without depths of
@@ -197,15 +202,17 @@ SPANGLE_INLINE typename L::Mask compare_depths(Compare func, const V& incoming, 
     return (less & when(1)) | (greater & when(4)) | (~(less | greater) & when(2));
 }
 
-/// The depth test of the chain. Its function and write mask are known only at run time.
-template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>> struct DepthGeneral : Value {
-    static constexpr bool kill = true, effect = true;
+/// The depth test of the chain. Its function and write mask are known only at run time. Writes: false leaves
+/// writing to a later stage that tests again.
+template <class N, DepthFormat Format, class Value = DepthValueOf<N, Format>, bool Writes = true>
+struct DepthGeneral : Value {
+    static constexpr bool kill = true, effect = Writes;
     using L = typename N::L;
     Compare func;
     bool write;
     template <class S>
     SPANGLE_INLINE DepthGeneral(const S& s, std::int32_t x)
-        : Value(s, x), func(s.state->fragment.depth_func), write(s.state->fragment.depth_write) {}
+        : Value(s, x), func(s.state->fragment.depth_func), write(Writes && s.state->fragment.depth_write) {}
 
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (N::lanes > 1 && Format == DepthFormat::z16) {

@@ -14,46 +14,6 @@ inline namespace SPANGLE_INSTRUCTIONS {
 
 namespace inner {
 
-/// A plane with guard bits in eight lanes of 64 bits, in as many vectors as eight lanes take.
-template <class Vector = LaneWords::Vector> class GuardedLanes {
-  public:
-    GuardedLanes() : at_{}, step_{} {}
-    SPANGLE_INLINE GuardedLanes(const Span<Fixed>& span, std::int32_t x, const Span<Fixed>::Projective& plane)
-        : step_(Long{} + 8 * plane.dx) {
-        const std::uint64_t first = span.at(x, plane), two = 2 * plane.dx, four = 4 * plane.dx;
-        if constexpr (vectors == 2) {
-            at_[0] = Long{first, first + two, first + four, first + four + two};
-            at_[1] = at_[0] + plane.dx;
-        } else {
-            at_[0] = Long{first, first + two};
-            at_[1] = at_[0] + four;
-            at_[2] = at_[0] + plane.dx;
-            at_[3] = at_[1] + plane.dx;
-        }
-    }
-    /// The values of the plane in all lanes, signed and without guard bits.
-    SPANGLE_INLINE LaneWords value() const {
-        if constexpr (vectors == 2)
-            return {std::bit_cast<Vector>((at_[0] >> guard_bits & 0xFFFFFFFFu) | at_[1] >> guard_bits << 32)};
-        else
-            return {low_words(at_[0], at_[1]), low_words(at_[2], at_[3])};
-    }
-    SPANGLE_INLINE void step() {
-        for (Long& v : at_)
-            v += step_;
-    }
-
-  private:
-    using Long = Longs<Vector>;
-    static constexpr int vectors = sizeof(Vector) == 32 ? 2 : 4;
-    /// One half of the vectors holds lanes 0, 2, 4 and 6; the other half holds the odd lanes.
-    Long at_[vectors], step_;
-    SPANGLE_INLINE static Vector low_words(const Long& a, const Long& b) {
-        return __builtin_shufflevector(std::bit_cast<Vector>(a >> guard_bits),
-                                       std::bit_cast<Vector>(b >> guard_bits), 0, 2, 4, 6);
-    }
-};
-
 /// A plane at the fragments of a packet, one fragment at a time. The packet lies in one row or in several.
 template <class Places> class PlaneOf {
   public:

@@ -101,7 +101,10 @@ template <class Places> class VolumeLanes {
             const InverseLanes inverse(q.v);
             put(to.s + i, coord(s.v, inverse, texture_.wrap_s));
             put(to.t + i, coord(t.v, inverse, texture_.wrap_t));
-            put(to.r + i, volume_ ? coord(r.v, inverse, texture_.wrap_r) : compared(r.v, inverse));
+            // A cube map is sampled in the plane of a face, so its r is not read.
+            put(to.r + i, cube_     ? LaneWords::splat(0)
+                          : volume_ ? coord(r.v, inverse, texture_.wrap_r)
+                                    : compared(r.v, inverse));
             put(lod + i, wants_level ? level(s, t, r, q) : LaneWords::splat(0));
         }
     }
