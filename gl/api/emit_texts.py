@@ -33,7 +33,7 @@ def arg_rows(family, pool, out):
                 out.append(f"const std::uint16_t {pool[tokens]}[] = {{{tokens}}};\n")
             rows.append(f"{{\"{arg.name}\", ArgRule::token, \"{token_kind(family, arg)}\", {pool[tokens]}, {len(arg.accepted)}}}")
         elif arg.type in ("sizei", "sizeiptr"):
-            rows.append(f"{{\"{arg.name}\", ArgRule::count}}")
+            rows.append(f"{{\"{arg.name}\", ArgRule::{'count' if arg.type == 'sizei' else 'bytes'}}}")
         elif arg.type in ("int", "intptr") and arg.low is not None:
             rows.append(f"{{\"{arg.name}\", ArgRule::range, nullptr, nullptr, 0, {arg.low}, {arg.high or 'INT32_MAX'}}}")
         elif arg.pointer or arg.array:

@@ -13,6 +13,11 @@ namespace spangle::gl {
 
 namespace {
 
+/// True if a value of the argument is a size, which must not be negative.
+bool is_size(ArgRule rule) {
+    return rule == ArgRule::count || rule == ArgRule::bytes;
+}
+
 bool accepts_token(const ArgText& arg, GLenum token) {
     for (unsigned i = 0; i < arg.count; ++i)
         if (arg.tokens[i] == token)
@@ -41,8 +46,9 @@ bool name_wrong(Sentence& out, GLenum code, const CommandText& text, const ArgTe
         (out << "pname ").hexadecimal(token) << " is not a parameter of this command";
         return true;
     }
-    if (code == GL_INVALID_VALUE && arg.rule == ArgRule::count && size < 0) {
-        (out << arg.name << " ").decimal(size) << " is negative";
+    if (code == GL_INVALID_VALUE &&
+        ((arg.rule == ArgRule::count && number < 0) || (arg.rule == ArgRule::bytes && size < 0))) {
+        (out << arg.name << " ").decimal(arg.rule == ArgRule::count ? number : size) << " is negative";
         return true;
     }
     if (code == GL_INVALID_VALUE && arg.rule == ArgRule::range && (number < arg.low || number > arg.high)) {
@@ -113,7 +119,7 @@ void tell_rule(Sentence& out, const char* rule, const CommandText& text, const A
         const ArgText& arg = text.args[i];
         const bool token = arg.rule == ArgRule::token || is_format(arg.name);
         const char* const rest = behind(rule, arg.name);
-        if (rest == nullptr || (!token && arg.rule != ArgRule::count && arg.rule != ArgRule::range))
+        if (rest == nullptr || (!token && !is_size(arg.rule) && arg.rule != ArgRule::range))
             continue;
         out << arg.name << " ";
         if (token)
@@ -148,7 +154,7 @@ const char* rule_of(GLenum code) {
 void unpack_image(const CommandText& text, const ImageCommand& image, Arg (&out)[most_explained]) {
     unsigned beside = 0, sizes = 0, tokens = 0;
     for (unsigned i = 0; i < text.count; ++i)
-        if (text.args[i].rule == ArgRule::count)
+        if (is_size(text.args[i].rule))
             out[i] = static_cast<Arg>(image.size[sizes++]);
         else if (i + 3 < text.count)
             out[i] = static_cast<Arg>(image.arguments[beside++]);

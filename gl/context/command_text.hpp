@@ -20,7 +20,8 @@ using Arg = std::uintptr_t;
 enum class ArgRule : std::uint8_t {
     any,
     token,   ///< the value must be one of the listed tokens
-    count,   ///< the value must not be negative
+    count,   ///< the value has 32 bits and must not be negative
+    bytes,   ///< the value has as many bits as an address, and must not be negative
     range,   ///< the value must be from `low` to `high`
     address, ///< the address must not be null
     array,   ///< the address in a Values argument must not be null

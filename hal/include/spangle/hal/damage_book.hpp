@@ -65,7 +65,7 @@ class DamageBook {
     RowSpan* damage() const { return memory_.damage; }
     /// The damage of the buffer that is sent, by its rows.
     RowSpan* sent_damage() const { return layout_.turns() ? memory_.turned : memory_.damage; }
-    /// The row hash, which is not enabled where it has no memory.
+    /// The [row hash](docs/glossary.md#row-hash), which is not enabled where it has no memory.
     const RowHash& hash() const { return hash_; }
 
     /// Says that the panel may lack damage(), because its transfer may have failed.

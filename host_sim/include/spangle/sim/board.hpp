@@ -21,7 +21,7 @@ struct BoardCounters {
     std::uint64_t commands = 0;
     /// The number of bytes that were pixels.
     std::uint64_t pixel_bytes = 0;
-    /// The number of op lists that were submitted.
+    /// The number of [op lists](docs/glossary.md#op) that were submitted.
     std::uint64_t transfers = 0;
     Time busy_ns = 0; ///< ns in which the wire was in use
 };

@@ -29,7 +29,7 @@ struct Surface {
 #else
     /// Null: builds without SPANGLE_EXTENTS do not record what was touched.
     static constexpr RowExtents* extents = nullptr;
-    /// Null: builds without SPANGLE_EXTENTS keep no touched rows.
+    /// Null: builds without SPANGLE_EXTENTS have no such elements.
     static constexpr RowSpan* touched = nullptr;
     /// 0: `touched` has no elements in builds without SPANGLE_EXTENTS.
     static constexpr std::int32_t touched_step = 0;

@@ -45,7 +45,7 @@ class TransferBus : public Bus {
     /// BusCaps::late_us of these buses: a thread may wait for a processor, a kernel for its worker.
     static constexpr std::uint32_t late_us = 1000000;
 
-    /// What bytes on the wire mean.
+    /// What a byte that is sent means to the controller.
     enum class Byte { command, parameter, pixel };
 
     /// `asynchronous`: a thread carries the lists while the next frame is drawn; else submit() does.
