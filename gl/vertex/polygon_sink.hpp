@@ -97,7 +97,7 @@ void PolygonSink<M, L>::polygon(Vertex* const* corners, int n, Vertex& provoking
         return;
     if (modes_.has_outlines())
         flag_edges(corners, n);
-    unsigned planes = clip_planes(any);
+    [[maybe_unused]] unsigned planes = clip_planes(any);
     if (planes_.any()) {
         unsigned all_user = ~0u, any_user = 0;
         for (int i = 0; i < n; ++i) {
