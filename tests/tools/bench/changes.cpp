@@ -89,9 +89,9 @@ const Change changes[] = {
      [](int i) { glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, turn(i, GL_MODULATE, GL_REPLACE)); }},
     {"glEnable and glDisable, GL_BLEND",
      [](int i) { i % 2 == 0 ? glEnable(GL_BLEND) : glDisable(GL_BLEND); }},
-    {"glDepthFunc", [](int i) { glDepthFunc(turn(i, GL_LESS, GL_LEQUAL)); }},
+    {"glDepthFunc", [](int i) { glDepthFunc(turn<GLenum>(i, GL_LESS, GL_LEQUAL)); }},
     {"glScissor", [](int i) { glScissor(0, 0, size, turn(i, size, size - 1)); }},
-    {"glCullFace", [](int i) { glCullFace(turn(i, GL_BACK, GL_FRONT_AND_BACK)); }},
+    {"glCullFace", [](int i) { glCullFace(turn<GLenum>(i, GL_BACK, GL_FRONT_AND_BACK)); }},
     {"glPushAttrib(GL_ALL_ATTRIB_BITS) and glPopAttrib",
      [](int) {
          glPushAttrib(GL_ALL_ATTRIB_BITS);
