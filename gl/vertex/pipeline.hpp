@@ -2,8 +2,8 @@
 // assemble, clip, cull, light and draw. It is one template for all numeric policies: M supplies the
 // arithmetic and L the lighting. Each step is a part of its own; draw_scope.hpp names them all.
 //
-// Pipeline owns the order of the steps from Begin to End. It takes vertices from the commands of a program.
-// It promises that a vertex gives the same picture whether a Vertex command, an array or a list brings it.
+// Pipeline owns the order of the steps from Begin to End, and takes vertices from the commands of a program.
+// A vertex gives the same picture whether a Vertex command, an array or a list brings it.
 //
 // The order of steps is that of GL 1.3, figure 2.8, as far as a program can see it. Colours are computed
 // late, only for vertices of primitives that survive culling. The pictures are the same, since no step in

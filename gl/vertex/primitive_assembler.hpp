@@ -1,9 +1,9 @@
 // Assembles primitives from vertices (GL 1.3, 2.6.1).
 //
 // PrimitiveAssembler owns which vertices are corners of the current primitive, not the vertices themselves.
-// It takes vertices in the order of the program, and tells a Sink of each primitive when its last corner has
-// come. It promises the primitives of GL 1.3, 2.6.1, in order, each with its winding and its provoking vertex
-// (GL 1.3, 2.13.7). A Sink has these functions:
+// Vertices come in the order of the program, and a Sink is told of each primitive when its last corner has
+// come. The assembler promises the primitives of GL 1.3, 2.6.1, in order, each with its winding and its
+// provoking vertex (GL 1.3, 2.13.7). A Sink has these functions:
 //   point(v), line(a, b)           b is the provoking vertex of the line.
 //   triangle(c), quad(c)           c is an array of 3 or 4 corners, whose corner 2 is the provoking vertex.
 //   fan(c)                         c is a triangle of a POLYGON, whose corner 0 is the provoking vertex.

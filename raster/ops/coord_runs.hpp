@@ -161,7 +161,7 @@ class CoordRuns {
 
   private:
     struct DividedCoord {
-        std::int64_t s, t; ///< in repeats, with 32 fraction bits; in run_start_ as runs follow them
+        std::int64_t s, t; ///< coordinates in repeats, with 32 fraction bits; run_start_ has followed() ones
         DividedCoord() = default;
         SPANGLE_INLINE DividedCoord(const inner::HomogeneousRow& row, int exponent)
             : DividedCoord(row, 0, Inverse(row.q(0)), exponent) {}
@@ -345,7 +345,7 @@ class CoordRuns {
         std::uint64_t s, t, q;
     } run_steps_; ///< differences from run to run
     DividedCoord run_start_;
-    bool both_wrap_;                                        ///< both coordinates wrap
+    bool both_wrap_;                                        ///< true if s and t both wrap
     [[no_unique_address]] numeric::LeadingZeros<> w_zeros_; ///< leading zeros of w at the ends of runs
     int exponent_, unit_;
     const Span<Fixed>* span_;
