@@ -86,13 +86,23 @@ struct Derived : testing::Test {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     }
     static void clear() { glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT); }
-    /// Returns what the state makes of two triangles from arrays, a line and a point.
-    std::vector<GLubyte> draw() {
+    /// Returns what the state makes of two triangles from arrays, a line and a point, or of the triangles
+    /// alone. Some state of fragments is derived whenever the kind of primitive changes. Triangles alone do
+    /// not change it.
+    std::vector<GLubyte> draw(bool triangles_alone = false) {
         const GLenum changed = glGetError(); // a build refuses changes of systems that it does not have
         EXPECT_TRUE(changed == GL_NO_ERROR || (!whole && changed == GL_INVALID_OPERATION)) << changed;
         glInterleavedArrays(GL_T2F_C4F_N3F_V3F, 0, arrays.data());
         glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, elements.data());
         glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, elements.data());
+        if (!triangles_alone)
+            draw_line_and_point();
+        std::vector<GLubyte> out(side * side * 4);
+        glReadPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        return out;
+    }
+    static void draw_line_and_point() {
         glBegin(GL_LINES);
         glColor4f(0.9f, 0.5f, 0.1f, 0.6f);
         glVertex3f(-0.9f, 0.7f, -0.6f);
@@ -101,11 +111,11 @@ struct Derived : testing::Test {
         glBegin(GL_POINTS);
         glVertex3f(0.2f, 0.3f, -0.9f);
         glEnd();
-        std::vector<GLubyte> out(side * side * 4);
-        glReadPixels(0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
-        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-        return out;
     }
+    void pop_each_change(const std::vector<Change>& changes, bool shown, bool triangles_alone);
+
+    /// Number of changes that were visible.
+    int visible_changes = 0;
 };
 
 std::vector<Change> all_changes() {
@@ -180,41 +190,47 @@ void show_all() {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     const GLfloat ambient[] = {0.6f, 0.7f, 0.8f, 1};
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
+    const GLdouble plane[] = {1, 0.3, 0, 0.1}; // visible as soon as a change enables it
+    glClipPlane(GL_CLIP_PLANE0, plane);
 }
 
-TEST_F(Derived, StateThatIsPoppedIsDrawnAgain) {
-    const std::vector<Change> changes = all_changes();
-    int seen = 0;
-    for (const bool shown : {false, true})
-        for (const int bits : {5, 8}) {
-            std::vector<std::vector<GLubyte>> alone;
-            for (const Change& change : changes) {
-                const Bound bound = start(bits);
-                if (shown)
-                    show_all();
-                clear();
-                change.apply();
-                alone.push_back(draw());
-                end(bound);
-            }
+void Derived::pop_each_change(const std::vector<Change>& changes, bool shown, bool triangles_alone) {
+    for (const int bits : {5, 8}) {
+        std::vector<std::vector<GLubyte>> alone;
+        for (const Change& change : changes) {
             const Bound bound = start(bits);
             if (shown)
                 show_all();
             clear();
-            const std::vector<GLubyte> before = draw();
-            for (std::size_t i = 0; i < changes.size(); ++i) {
-                clear();
-                glPushAttrib(GL_ALL_ATTRIB_BITS);
-                changes[i].apply();
-                ASSERT_EQ(draw(), alone[i]) << changes[i].name;
-                glPopAttrib();
-                clear();
-                ASSERT_EQ(draw(), before) << "after " << changes[i].name;
-                seen += alone[i] != before ? 1 : 0;
-            }
+            change.apply();
+            alone.push_back(draw(triangles_alone));
             end(bound);
         }
-    EXPECT_GT(seen, whole ? 80 : 60); // number of visible changes
+        const Bound bound = start(bits);
+        if (shown)
+            show_all();
+        clear();
+        const std::vector<GLubyte> before = draw(triangles_alone);
+        for (std::size_t i = 0; i < changes.size(); ++i) {
+            clear();
+            glPushAttrib(GL_ALL_ATTRIB_BITS);
+            changes[i].apply();
+            ASSERT_EQ(draw(triangles_alone), alone[i]) << changes[i].name;
+            glPopAttrib();
+            clear();
+            ASSERT_EQ(draw(triangles_alone), before) << "after " << changes[i].name;
+            visible_changes += alone[i] != before ? 1 : 0;
+        }
+        end(bound);
+    }
+}
+
+TEST_F(Derived, StateThatIsPoppedIsDrawnAgain) {
+    const std::vector<Change> changes = all_changes();
+    for (const bool shown : {false, true})
+        for (const bool triangles_alone : {false, true})
+            pop_each_change(changes, shown, triangles_alone);
+    EXPECT_GT(visible_changes, whole ? 150 : 100);
 }
 
 /// States come back, while textures and drawables change.
