@@ -92,6 +92,8 @@ struct Exact {
     /// 3.8.8 asks for (weighted()).
     SPANGLE_INLINE static constexpr T texel5(L::U16 k) { return texels5.at[k]; }
     SPANGLE_INLINE static constexpr T texel6(L::U16 k) { return texels6.at[k]; }
+    /// k / 7 of texels, rounded up.
+    SPANGLE_INLINE static constexpr T texel3(L::U16 k) { return (k * color_one + 6) / 7; }
     /// A component from a constant in colour units (vertex.hpp).
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return c; }
     /// A component from the word of an interpolated colour of a span (8.24).
@@ -201,6 +203,8 @@ template <int Count> struct Balanced {
     }
     SPANGLE_INLINE static constexpr T texel5(T k) { return from5(k); }
     SPANGLE_INLINE static constexpr T texel6(T k) { return from6(k); }
+    /// k / 7, to the nearest. It is k 65280 / 7, and 65280 / 7 is 9326 less 2 / 7.
+    SPANGLE_INLINE static constexpr T texel3(T k) { return k * 9326 - ((k * 73 + 128) >> 8); }
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat((c + (1u << 11)) >> 12); }
     /// Set-up has added the half that rounds to 8.8. Set-up is off by less than this half, and fragments lie
     /// inside of their primitive. So no component is above one.

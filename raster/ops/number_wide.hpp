@@ -28,6 +28,8 @@ struct ExactLanes {
     SPANGLE_INLINE static T from6(const L::U16& k) { return step<63>(L::widened(k), 31); }
     SPANGLE_INLINE static T texel5(const L::U16& k) { return step<31>(L::widened(k), 30); }
     SPANGLE_INLINE static T texel6(const L::U16& k) { return step<63>(L::widened(k), 62); }
+    /// k / 7, rounded up as texels are.
+    SPANGLE_INLINE static T texel3(const L::U16& k) { return step<7>(L::widened(k), 6); }
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return L::splat32(c); }
     SPANGLE_INLINE static T from_affine(const L::U32& v) {
         // Words below the bias of half a unit become 0, because rounding took them below it.

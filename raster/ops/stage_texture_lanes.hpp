@@ -6,6 +6,7 @@
 #include "raster/ops/filter_exact.hpp"
 #include "raster/ops/stage_texture_one.hpp"
 #include "raster/ops/stage_volume_packet.hpp"
+#include "raster/ops/texel_as_color.hpp"
 #include "raster/ops/texel_fetch.hpp"
 #include "raster/span/instructions.hpp"
 
@@ -306,10 +307,14 @@ template <class N> class LaneTexture {
         const bool in_s = along_s.find(linear, places_.s, places_.group, group_count_, s),
                    in_t = along_t.find(linear, places_.t, places_.group, group_count_, t);
         const TexelFetch fetch(texture_, image, first, linear, s, t, group_count_);
-        const bool words = words_of(texture_) == TexelWords::rgb565;
-        if ((in_s && in_t) || texture_.border_texels != 0) [[likely]]
-            return words ? mix<TexelFetch::Words>(fetch, linear, s.weight, t.weight, nullptr, to)
-                         : mix<TexelFetch::Bytes>(fetch, linear, s.weight, t.weight, nullptr, to);
+        const TexelWords form = words_of(texture_);
+        if ((in_s && in_t) || texture_.border_texels != 0) [[likely]] {
+            if (has_other_texels && form == TexelWords::colors)
+                return mix_colors(fetch, linear, s.weight, t.weight, nullptr, to);
+            return form == TexelWords::rgb565
+                       ? mix<TexelFetch::Words>(fetch, linear, s.weight, t.weight, nullptr, to)
+                       : mix<TexelFetch::Bytes>(fetch, linear, s.weight, t.weight, nullptr, to);
+        }
         BorderMasks beyond;
         for (std::int32_t g = 0; g < group_count_; ++g) {
             const U16 none = L::splat(0), at_s = in_s ? none : along_s.move_inside(s.at[g]),
@@ -321,7 +326,9 @@ template <class N> class LaneTexture {
             beyond[2][g] = at_s | next_t;
             beyond[3][g] = next_s | next_t;
         }
-        if (!words)
+        if (has_other_texels && form == TexelWords::colors)
+            return mix_colors(fetch, linear, s.weight, t.weight, &beyond, to);
+        if (form == TexelWords::bytes)
             return mix<TexelFetch::Bytes>(fetch, linear, s.weight, t.weight, &beyond, to);
         mix<TexelFetch::Words>(fetch, linear, s.weight, t.weight, nullptr, to);
         // The border's colour has more bits than a word R5 G6 B5, so fragments that meet the border are
@@ -369,6 +376,22 @@ template <class N> class LaneTexture {
         for (std::int32_t g = 0; g < group_count_; ++g)
             to[g] =
                 linear ? blend_texels(c00[g], c10[g], c01[g], c11[g], right[g], down[g]) : unpacked(c00[g]);
+    }
+    /// Does what mix() does, for texels that become colours before they are filtered.
+    [[gnu::noinline]] void mix_colors(const TexelFetch& fetch, bool linear, const U16* right, const U16* down,
+                                      const BorderMasks* beyond, Color* to) const {
+        const TexelFormat format = word_format(texture_);
+        TexelFetch::Words word;
+        fetch.fetch(word);
+        const Color outside = border();
+        const auto texel = [&](int corner, std::int32_t g) __attribute__((always_inline)) {
+            const Color c = texel_as_color<N>(format, word[corner][g]);
+            return beyond == nullptr ? c : chosen_of((*beyond)[corner][g], outside, c);
+        };
+        for (std::int32_t g = 0; g < group_count_; ++g)
+            to[g] = linear ? mixed_colors<N>(texel(0, g), texel(1, g), texel(2, g), texel(3, g), right[g],
+                                             down[g])
+                           : texel(0, g);
     }
     /// Replaces fetched texels beyond the image by the border's colour.
     [[gnu::noinline]] void put_border(const BorderMasks& beyond, int corners,

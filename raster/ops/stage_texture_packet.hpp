@@ -237,10 +237,26 @@ template <class N> class PacketTexture {
 
     void combine(const TextureLevel& image, bool linear, const TexelOffsets& s, const TexelOffsets& t,
                  std::int32_t n, Color* to) const {
-        if (words_of(texture_) == TexelWords::rgb565)
+        const TexelWords form = words_of(texture_);
+        if (has_other_texels && form == TexelWords::colors)
+            combine_colors(image, linear, s, t, n, to);
+        else if (form == TexelWords::rgb565)
             combine_words<std::uint16_t>(image, linear, s, t, n, to);
         else
             combine_words<std::uint32_t>(image, linear, s, t, n, to);
+    }
+    /// Combines the texels of n fragments, which become colours before they are mixed.
+    [[gnu::noinline]] void combine_colors(const TextureLevel& image, bool linear, const TexelOffsets& s,
+                                          const TexelOffsets& t, std::int32_t n, Color* to) const {
+        const TexelFormat format = word_format(texture_);
+        std::uint16_t texels[packet_length][4];
+        fetch_texels(texture_, image, s, t, linear, n, texels);
+        for (std::int32_t i = 0; i < n; ++i) {
+            Color c[4];
+            for (int k = 0; k < (linear ? 4 : 1); ++k)
+                c[k] = texel_as_color<N>(format, texels[i][k]);
+            to[i] = linear ? mixed_colors<N>(c[0], c[1], c[2], c[3], s.weight[i], t.weight[i]) : c[0];
+        }
     }
     /// Combines the texels of n fragments, which are words of type Word.
     template <class Word>

@@ -65,11 +65,20 @@ template <class N, std::uint32_t Most> SPANGLE_INLINE typename N::T from_steps(s
     }
 }
 
+/// The colour of a texel R5 G5 B5 A1, or of R3 G3 B2, from the word that holds its bits. N may have lanes.
+template <class N> SPANGLE_INLINE typename N::Color color_of_5551(const typename N::L::U16& word) {
+    return {N::texel5(word >> 11), N::texel5((word >> 6) & 31), N::texel5((word >> 1) & 31),
+            N::from8((word & 1) * 255)};
+}
+template <class N> SPANGLE_INLINE typename N::Color color_of_332(const typename N::L::U16& word) {
+    return {N::texel3(word >> 5), N::texel3((word >> 2) & 7), N::from8((word & 3) * 85),
+            N::from_units(color_one)};
+}
+
 /// A texel of a format that is not common, but whose texels have addresses. A depth stands for all four
 /// components.
 template <class N>
 [[gnu::noinline]] typename N::Color read_other_texel(TexelFormat format, const std::uint8_t* at) {
-    const typename N::T one = N::from_units(color_one);
     const auto grey = [](typename N::T v) { return typename N::Color{v, v, v, v}; };
     std::uint32_t word = format == TexelFormat::rgb332 ? at[0] : Lanes<1>::load(at);
     switch (format) {
@@ -77,11 +86,9 @@ template <class N>
         return {from_steps<N, 15>(word >> 12), from_steps<N, 15>(word >> 8 & 15),
                 from_steps<N, 15>(word >> 4 & 15), from_steps<N, 15>(word & 15)};
     case TexelFormat::rgba5551:
-        return {N::texel5(word >> 11), N::texel5(word >> 6 & 31), N::texel5(word >> 1 & 31),
-                from_steps<N, 1>(word & 1)};
+        return color_of_5551<N>(word);
     case TexelFormat::rgb332:
-        return {from_steps<N, 7>(word >> 5), from_steps<N, 7>(word >> 2 & 7), from_steps<N, 3>(word & 3),
-                one};
+        return color_of_332<N>(word);
     case TexelFormat::z16:
         if constexpr (has_format(TexelFormat::z16))
             return grey(from_steps<N, 65535>(word));

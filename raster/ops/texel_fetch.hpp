@@ -17,7 +17,7 @@ class TexelFetch {
     using U32 = L::U32;
 
   public:
-    using Words = U16[4][texel_groups]; ///< words R5 G6 B5
+    using Words = U16[4][texel_groups]; ///< words R5 G6 B5, or words of TexelWords::colors
     /// Components of 8 bits, with R in the lowest byte. Missing components are filled in.
     using Bytes = LaneBytes[4][texel_groups];
 
@@ -43,8 +43,13 @@ class TexelFetch {
                     return static_cast<std::uint16_t>(Lanes<1>::load(palette_entry(texture_, image_, s, t)));
                 });
             });
-        each_texel<2>([&](int corner, std::int32_t g, const U16& texel)
-                          __attribute__((always_inline)) { to[corner][g] = texel; });
+        const auto put = [&](int corner, std::int32_t g, const U16& texel) __attribute__((always_inline)) {
+            to[corner][g] = texel;
+        };
+        if (has_other_texels && texture_.format == TexelFormat::rgb332)
+            each_texel<1>(put);
+        else
+            each_texel<2>(put);
     }
     [[gnu::noinline]] void fetch(Bytes& to) const {
         const auto put = [&](auto bytes) __attribute__((always_inline)) {

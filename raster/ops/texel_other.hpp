@@ -16,8 +16,9 @@ constexpr bool is_indirect(TexelFormat format) {
 /// The form in which lanes get texels.
 enum class TexelWords : std::uint8_t {
     rgb565,
-    bytes, ///< components of exactly 8 bits
-    none,  ///< texels are read one by one, not in lanes
+    bytes,  ///< components of exactly 8 bits
+    colors, ///< words of up to 16 bits that become colours before they are filtered (texel_as_color.hpp)
+    none,   ///< texels are read one by one, not in lanes
 };
 constexpr TexelWords words_of(TexelFormat format) {
     switch (sampled(format)) {
@@ -25,6 +26,7 @@ constexpr TexelWords words_of(TexelFormat format) {
         return TexelWords::rgb565;
     case TexelFormat::rgba5551:
     case TexelFormat::rgb332:
+        return TexelWords::colors;
     case TexelFormat::z16:
     case TexelFormat::z24:
         return TexelWords::none;
@@ -32,9 +34,13 @@ constexpr TexelWords words_of(TexelFormat format) {
         return TexelWords::bytes;
     }
 }
+/// The format of the words that a palette holds, or that texels are.
+constexpr TexelFormat word_format(const Texture& texture) {
+    return texture.format == TexelFormat::p4 || texture.format == TexelFormat::p8 ? texture.palette_format
+                                                                                  : texture.format;
+}
 constexpr TexelWords words_of(const Texture& texture) {
-    const bool palette = texture.format == TexelFormat::p4 || texture.format == TexelFormat::p8;
-    return words_of(palette ? texture.palette_format : texture.format);
+    return words_of(word_format(texture));
 }
 
 /// R, G and B of one texel of an ETC1 image, with R in the lowest byte (OES_compressed_ETC1_RGB8_texture).

@@ -117,13 +117,19 @@ SPANGLE_INLINE void read_texels(const TexelOffsets& s, const TexelOffsets& t, bo
         to[i][3] = word(right, far);
     }
 }
-/// Fetches the texels of n fragments as words R5 G6 B5.
+/// Fetches the texels of n fragments as words R5 G6 B5, or of another format of up to 16 bits.
 inline void fetch_texels(const Texture& texture, const TextureLevel& image, const TexelOffsets& s,
                          const TexelOffsets& t, bool linear, std::int32_t n, std::uint16_t (*to)[4]) {
     if (is_indirect(texture.format))
         return read_texels(
             s, t, linear, n, to, [&](std::int32_t i, std::int32_t j) __attribute__((noinline)) {
                 return Lanes<1>::load(palette_entry(texture, image, i, j));
+            });
+    if (has_other_texels && texture.format == TexelFormat::rgb332)
+        return read_texels(
+            s, t, linear, n,
+            to, [texels = image.texels](std::int32_t across, std::int32_t up) __attribute__((noinline)) {
+                return texels[up + across];
             });
     read_texels(
         s, t, linear, n,

@@ -41,6 +41,7 @@ struct Reference {
     static T from6(std::uint32_t k) { return k / 63.0; }
     static T from5(std::uint32_t k) { return k / 31.0; }
     static T texel5(std::uint32_t k) { return from5(k); }
+    static T texel3(std::uint32_t k) { return from_units((k * color_one + 6) / 7); }
     static T texel6(std::uint32_t k) { return from6(k); }
     static T from_units(std::uint32_t c) { return static_cast<double>(c) / color_one; }
     /// The k for which k / 255 is nearest to v (GL 1.3, 2.13.9). Halves round up; 1e-9 makes up for the error

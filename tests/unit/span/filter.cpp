@@ -42,6 +42,11 @@ TEST(Filter, StepsOfTheExactTierAreNearest) {
         EXPECT_LE(twice_off(Exact::from6(k), k, 63), 63) << k;
 }
 
+TEST(Filter, SeventhsOfTheBalancedTierAreNearest) {
+    for (std::uint32_t k = 0; k < 8; ++k)
+        EXPECT_EQ(N::texel3(k), static_cast<std::uint32_t>(std::lround(k * 65280.0 / 7)));
+}
+
 /// A texel, or a mean of four texels, is never less than what GL asks for, and less than two units above it.
 TEST(Filter, TexelsOfTheExactTierAreRoundedUp) {
     for (std::uint32_t k = 0; k < 64; ++k) {
@@ -49,6 +54,8 @@ TEST(Filter, TexelsOfTheExactTierAreRoundedUp) {
                   static_cast<std::uint32_t>(std::ceil((k & 31) * 255.0 * 0x1p20 / 31)));
         EXPECT_EQ(Exact::texel6(k), static_cast<std::uint32_t>(std::ceil(k * 255.0 * 0x1p20 / 63)));
     }
+    for (std::uint32_t k = 0; k < 8; ++k)
+        EXPECT_EQ(Exact::texel3(k), static_cast<std::uint32_t>(std::ceil(k * 255.0 * 0x1p20 / 7)));
     std::mt19937 random(4);
     for (int round = 0; round < 300'000; ++round) {
         const auto k = static_cast<std::uint32_t>(random()), weights = static_cast<std::uint32_t>(random());

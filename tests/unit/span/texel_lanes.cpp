@@ -122,6 +122,60 @@ TEST(TexelLanes, ExactFilterIsThatOfOneLane) {
     }
 }
 
+/// Compares eight lanes with one lane: the colour of every word of a format, and mixtures of four colours.
+template <class Wide> void expect_colors_of_words(TexelFormat format) {
+    using One = OneLane<Wide>;
+    using L = typename Wide::L;
+    Random random{static_cast<std::uint32_t>(format)};
+    const auto expect_equal = [](const typename Wide::Color& found, int lane,
+                                 const typename One::Color& expected, std::uint32_t word) {
+        typename One::Color one;
+        lane_of(found, lane, one);
+        ASSERT_EQ(one.r, expected.r) << word;
+        ASSERT_EQ(one.g, expected.g) << word;
+        ASSERT_EQ(one.b, expected.b) << word;
+        ASSERT_EQ(one.a, expected.a) << word;
+    };
+    const std::uint32_t words = format == TexelFormat::rgb332 ? 256 : 65536;
+    for (std::uint32_t first = 0; first < words; first += 8) {
+        const auto lanes =
+            L::generate([&](std::uint32_t lane) { return static_cast<std::uint16_t>(first + lane); });
+        const auto colors = texel_as_color<Wide>(format, lanes);
+        typename One::Color one[8];
+        for (std::uint32_t lane = 0; lane < 8; ++lane) {
+            const std::uint8_t low_first[2] = {static_cast<std::uint8_t>(first + lane),
+                                               static_cast<std::uint8_t>((first + lane) >> 8)};
+            one[lane] = read_texel<One>(format, low_first);
+            expect_equal(colors, static_cast<int>(lane), one[lane], first + lane);
+        }
+        std::uint16_t corner[3][8], weight[2][8];
+        for (int lane = 0; lane < 8; ++lane) {
+            for (auto& of : corner)
+                of[lane] = static_cast<std::uint16_t>(random.below(words));
+            for (auto& of : weight)
+                of[lane] = static_cast<std::uint16_t>(random.below(4) == 0 ? 0 : random.below(256));
+        }
+        const auto color = [&](int k) { return texel_as_color<Wide>(format, L::gather(corner[k])); };
+        const auto mixed = mixed_colors<Wide>(colors, color(0), color(1), color(2), L::gather(weight[0]),
+                                              L::gather(weight[1]));
+        for (int lane = 0; lane < 8; ++lane) {
+            const auto single = [&](int k) { return texel_as_color<One>(format, corner[k][lane]); };
+            expect_equal(
+                mixed, lane,
+                bilinear<One>(one[lane], single(0), single(1), single(2), weight[0][lane], weight[1][lane]),
+                first);
+        }
+    }
+}
+
+TEST(TexelLanes, ColorsOfWordsAreThoseOfOneLane) {
+    if constexpr (host_lanes == 8)
+        for (const TexelFormat format : {TexelFormat::rgba5551, TexelFormat::rgb332}) {
+            expect_colors_of_words<Balanced<host_lanes>>(format);
+            expect_colors_of_words<ExactChain>(format);
+        }
+}
+
 /// Draws a packet of any length by REPLACE. Neighbours lie near each other, but some fragments lie anywhere.
 /// Levels differ by less than `spread` 256ths, have a bias, and are held between limits near them.
 template <class N> void expect_packet(Random& random, const Texture& any, std::uint32_t spread) {
