@@ -104,8 +104,8 @@ template <class N, class When16, class When24> void add_depth(ChainBuilder<N>& c
 template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     using System = Colorless<N>;
     using SingleLane = OneLane<System>;
-    using Offset16 = OffsetDepthValue<SingleLane>;
-    using Offset24 = OffsetDepthValue<SingleLane, DepthValueOf<SingleLane, DepthFormat::z24s8>>;
+    using Offset16 = OffsetDepthValue<System>;
+    using Offset24 = OffsetDepthValue<System, DepthValueOf<System, DepthFormat::z24s8>>;
     if (SPANGLE_FEATURE_STIPPLE && key.polygon_stipple)
         chain.template add<PolygonStipple<SingleLane>>();
     // In builds without shortcuts every depth goes through the offset stage, with an offset of 0 where GL
@@ -114,13 +114,13 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     bool depth = key.depth_offset || key.depth != Compare::always || key.depth_write;
     if constexpr (has_format(DepthFormat::z24s8)) {
         if (key.stencil) {
-            chain.template choose<StencilDepth<SingleLane, Offset24>, StencilDepth<System>>(offset);
+            chain.template choose<StencilDepth<System, Offset24>, StencilDepth<System>>(offset);
             depth = false; // StencilDepth tests the depth, too
         }
     }
     if (depth && offset)
-        add_depth<N, DepthGeneral<SingleLane, DepthFormat::z16, Offset16>,
-                  DepthGeneral<SingleLane, DepthFormat::z24s8, Offset24>>(chain, key);
+        add_depth<N, DepthGeneral<System, DepthFormat::z16, Offset16>,
+                  DepthGeneral<System, DepthFormat::z24s8, Offset24>>(chain, key);
     else if (depth)
         add_depth<N, DepthGeneral<System, DepthFormat::z16>, DepthGeneral<System, DepthFormat::z24s8>>(chain,
                                                                                                        key);

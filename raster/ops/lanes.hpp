@@ -219,6 +219,15 @@ template <> struct Lanes<8> {
     SPANGLE_INLINE static U32 maximum(const U32& a, const U32& b) {
         return a + b - minimum(a, b);
     }
+    /// The lesser of any two words of 32 bits.
+    SPANGLE_INLINE static U32 minimum_unsigned(const U32& a, const U32& b) {
+        return U32::mapped(
+            [](const auto& v, const auto& w) __attribute__((always_inline)) {
+                constexpr std::uint32_t sign = 1u << 31;
+                return lane_words::smaller(v ^ sign, w ^ sign) ^ sign;
+            },
+            a, b);
+    }
     /// max(v, 0), where v is signed.
     SPANGLE_INLINE static U32 positive(const U32& v) {
         return U32::mapped(

@@ -48,6 +48,8 @@ template <class N> struct DepthValue : StageBase {
     template <class S> SPANGLE_INLINE DepthValue(const S& s, std::int32_t x) : z(s, x, s.z) {}
     /// The depth as 32 bits, whose top bits are the code. Only stages of one lane call this.
     SPANGLE_INLINE std::uint32_t word() const { return z.at; }
+    /// The depth of each lane in this form.
+    SPANGLE_INLINE typename N::L::U32 words() const { return z.at; }
     SPANGLE_INLINE void step() {
         if constexpr (is_raw<N>)
             z.step_aside();
@@ -91,13 +93,30 @@ using DepthValueOf = std::conditional_t<has_format(DepthFormat::z24s8) && Format
 
 /// A depth value with the polygon offset added (GL 1.3, 3.5.5), clamped to the range of depths.
 template <class N, class Value = DepthValue<N>> struct OffsetDepthValue : Value {
-    static_assert(N::lanes == 1);
     std::int64_t offset;
     SPANGLE_INLINE OffsetDepthValue(const Span<typename N::Policy>& s, std::int32_t x)
         : Value(s, x), offset(s.state->fragment.depth_offset ? s.state->primitive->depth_offset : 0) {}
     SPANGLE_INLINE std::uint32_t word() const {
         return static_cast<std::uint32_t>(
             numeric::clamp<std::int64_t>(offset + Value::word(), 0, INT64_C(0xFFFFFFFF)));
+    }
+};
+template <class N, class Value>
+requires(N::lanes > 1) struct OffsetDepthValue<N, Value> : Value {
+    using U32 = typename N::L::U32;
+    std::uint32_t up = 0, down = 0; ///< what the offset adds or takes away; one of them is 0
+    template <class S> SPANGLE_INLINE OffsetDepthValue(const S& s, std::int32_t x) : Value(s, x) {
+        const std::int64_t offset = s.state->fragment.depth_offset ? s.state->primitive->depth_offset : 0,
+                           most = INT64_C(0xFFFFFFFF);
+        if (offset < 0)
+            down = static_cast<std::uint32_t>(offset < -most ? most : -offset);
+        else
+            up = static_cast<std::uint32_t>(offset > most ? most : offset);
+    }
+    SPANGLE_INLINE U32 words() const {
+        using L = typename N::L;
+        const U32 word = Value::words(), less = word - L::minimum_unsigned(word, L::splat32(down));
+        return less + L::minimum_unsigned(~less, L::splat32(up));
     }
 };
 
@@ -217,7 +236,7 @@ struct DepthGeneral : Value {
     SPANGLE_INLINE bool operator()(Px<N>& p) const {
         if constexpr (N::lanes > 1 && Format == DepthFormat::z16) {
             std::uint8_t* const at = p.depth_plane + p.bytes();
-            const typename L::U16 incoming = L::high_half(this->z.at), stored = L::load(at);
+            const typename L::U16 incoming = L::high_half(this->words()), stored = L::load(at);
             p.live &= compare_depths<L>(func, incoming, stored);
             if (write)
                 L::store(at, L::select(p.live, incoming, stored));
