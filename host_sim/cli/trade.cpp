@@ -198,7 +198,7 @@ int report(const TradeOptions& options, const trade::SweepResult& swept, bool wh
         }
     if (whole) {
         for (const trade::Advice& a : trade::advise(swept.accuracy, swept.cost))
-            print("{:<10}{:<6}take {}. {}\n", a.scene, a.format, a.take, a.why);
+            print("{:<9} {:<6}take {}. {}\n", a.scene, a.format, a.take, a.why);
         std::string note;
         if (const std::string problem = trade::write_page(options.out, swept.accuracy, swept.cost, note);
             !problem.empty())
