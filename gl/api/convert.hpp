@@ -72,7 +72,7 @@ template <Element kind, class T> inline Real one(T v) {
 
 /// An Element and a count of components in one byte. The count is in the low 3 bits.
 using Components = std::uint8_t;
-inline constexpr unsigned most_components = 6; ///< Frustum and Ortho have so many
+inline constexpr unsigned most_components = 6; ///< the largest count, that of Frustum and Ortho
 constexpr Components components(Element element, unsigned count) {
     return static_cast<Components>(static_cast<unsigned>(element) << 3 | count);
 }

@@ -20,7 +20,8 @@ inline constexpr std::size_t context_words = sizeof(Context) / sizeof(std::uint3
 static_assert(sizeof(Context) % sizeof(std::uint32_t) == 0);
 /// Largest distance, in words, at which repetitions are looked for.
 inline constexpr std::size_t most_back = 255;
-static_assert(std::is_trivially_copyable_v<Context>); // the bytes of a context therefore make a context
+// A copy of a context's bytes is therefore a context.
+static_assert(std::is_trivially_copyable_v<Context>);
 
 struct Image {
     std::uint32_t word[context_words] = {};

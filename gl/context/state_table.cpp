@@ -90,7 +90,8 @@ static_assert(all_fit());
 constexpr bool is_left_out(const WrittenRow& row) {
     return !SPANGLE_MESSAGES && row.absent && row.source != Source::pointer;
 }
-/// True if the row has a name, and is a switch if `switches` or is none otherwise.
+/// True if the row is a state of the table that `switches` selects: the table of rows with a Switch, or that
+/// of all other rows.
 template <bool switches> constexpr bool has_name(const WrittenRow& row) {
     return row.becomes == Row::state && (row.toggle != Switch::none) == switches;
 }

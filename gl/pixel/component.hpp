@@ -110,7 +110,8 @@ constexpr Component decode_element(ElementKind kind, unsigned bits, std::uint32_
         return component(numeric::from_float_bits(element));
     if (kind == ElementKind::unsigned_integer)
         return {element, static_cast<std::uint8_t>(bits)};
-    const std::uint32_t twice = 2 * element + 1; // has at most `bits` bits if the element is positive
+    // `twice` has at most `bits` bits if the element is positive.
+    const std::uint32_t twice = 2 * element + 1;
     if ((element >> (bits - 1) & 1) == 0)
         return {twice, static_cast<std::uint8_t>(bits)};
     const Component magnitude{all_ones(bits) - (twice & all_ones(bits)) + 1, static_cast<std::uint8_t>(bits)};

@@ -14,7 +14,8 @@ namespace {
 
 bool is_function(GLenum v, bool alpha) {
     constexpr auto first_dot3 = static_cast<unsigned>(raster::CombineFunc::dot3_rgb);
-    static_assert(combine_functions.size() == first_dot3 + 2); // the last two functions are not for alpha
+    // The last two functions, DOT3_RGB and DOT3_RGBA, exist for RGB only (GL 1.3, table 3.24).
+    static_assert(combine_functions.size() == first_dot3 + 2);
     return place_in(combine_functions, v) < (alpha ? first_dot3 : combine_functions.size());
 }
 

@@ -79,7 +79,8 @@ void GetTexImage(Context& context, GLenum target, GLint level, GLenum format, GL
         return;
     if (pixels == nullptr)
         return error(context, GL_INVALID_VALUE);
-    distrust_batches(context); // the image may be a copy of this band's pixels
+    // The image may have been copied from this band, so its pixels may differ from band to band.
+    distrust_batches(context);
     pack_image(*image, context.pixel_store.pack, layout, pixels);
 }
 

@@ -34,7 +34,8 @@ void unbind_texture(ShareGroup& share, TextureObject*& bound) {
 }
 
 TextureObject* make_object(Arena& arena, TextureKind kind) {
-    static_assert(std::is_trivially_copyable_v<CubeTexture>); // bytes that are copied make an object
+    // A copy of a texture object's bytes is therefore a texture object.
+    static_assert(std::is_trivially_copyable_v<CubeTexture>);
     const std::size_t bytes =
         existing_kind(kind) == TextureKind::cube ? sizeof(CubeTexture) : sizeof(TextureObject);
     void* const memory = arena.allocate(bytes);

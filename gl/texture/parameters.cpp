@@ -26,9 +26,9 @@ enum class Rule : std::uint8_t {
     depth_mode,
     compare_mode,
     compare_func,
-    level, ///< must not be negative
+    level, ///< the value must not be negative
     real,
-    clamped, ///< clamped to [0, 1]
+    clamped, ///< the value is clamped to [0, 1]
     boolean,
 };
 

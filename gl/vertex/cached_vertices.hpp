@@ -66,7 +66,7 @@ template <class M, class L> void CachedVertices<M, L>::transform_with_cache(Vert
     cache_.place(v, modes_.is_lit() ? uncolored : 0, [this](Vertex& fresh) { transform_vertex(fresh); });
 }
 
-/// True if a cached vertex is of now. A vertex of which only the colours are invalid is coloured anew.
+/// True if a cached vertex is still valid. A vertex of which only the colours are invalid is coloured anew.
 template <class M, class L> SPANGLE_INLINE bool CachedVertices<M, L>::is_valid(Vertex& v) {
     return cache_.is_valid(v) || (VertexCache<M>::keeps_positions && recolor(v));
 }
@@ -81,7 +81,8 @@ inline void CachedVertices<M, L>::arrays_begin(const ElementReader& reader, cons
                             (reader.textured ? 1u : 0u);
     cache_.begin_draw(layout, current.color, modes_.is_lit(),
                       !reader.normal.on() && !equal_words<3>(object_vertex_.normal, current.normal));
-    object_vertex_.position[2] = numeric::zero; // the array may not have these components
+    // The array of positions may lack z and w.
+    object_vertex_.position[2] = numeric::zero;
     object_vertex_.position[3] = numeric::one;
     object_vertex_.set_normal(current.normal);
 }

@@ -384,7 +384,7 @@ bool FixedLighting::light_with_unit_normal(const Real (&normal)[3], int side,
         n.m[i] = numeric::row_times<3>(normal_matrix_.m + 3 * i, loaded.m);
         square += static_cast<std::uint64_t>(numeric::mul_s32(n.m[i], n.m[i]));
     }
-    const int zeros = numeric::clz64(square) & ~1; // the number is even, and at least 4
+    const int zeros = numeric::clz64(square) & ~1; // `zeros` is even, and at least 4
     if (zeros > 16)
         return false;
     // 1/|n| = r * 2^(zeros / 2 - 62)

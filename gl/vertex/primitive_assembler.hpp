@@ -22,9 +22,9 @@ namespace spangle::gl {
 
 /// How a POLYGON reaches the sink.
 enum class PolygonForm : std::uint8_t {
-    filled,   ///< as a fan of triangles
-    outlined, ///< as a fan whose triangles say which edges belong to the polygon's boundary
-    gathered, ///< vertex by vertex
+    filled,   ///< the POLYGON arrives as a fan of triangles
+    outlined, ///< the POLYGON arrives as a fan, with flags for the edges of its boundary
+    gathered, ///< the POLYGON arrives vertex by vertex
 };
 
 template <class Vertex> class PrimitiveAssembler {
@@ -54,7 +54,7 @@ template <class Vertex> class PrimitiveAssembler {
     GLenum mode() const { return mode_; }
     /// Number of vertices that wait for the primitive to be complete.
     int count() const { return count_; }
-    /// Vertex i of these, of which the next primitive may need each.
+    /// Returns waiting vertex i, from 0 to count() - 1. The next primitive may need it.
     Vertex& corner(int i) const { return *corner_[i]; }
 
     /// The place of the next vertex: no corner of the current primitive is there.

@@ -96,7 +96,8 @@ template <class M, class L> SPANGLE_INLINE void Shading<M, L>::set_unlit_color(c
         M::set_secondary_color(unlit_, current.secondary_color);
     for (int c = 0; c < 4; ++c)
         unlit_color_[c] = current.color[c];
-    has_unlit_color_ = !modes_.has_color_sum(); // else the secondary colour would have to be compared, too
+    // With a colour sum, the secondary colour would have to be compared, too.
+    has_unlit_color_ = !modes_.has_color_sum();
 }
 
 /// Copies rarely used current state to a vertex: edge flag, fog coordinate and colour index. If the material
