@@ -205,7 +205,7 @@ void Record::take(DrawState& live) {
         slot = &live_states_[next_live_state_++ % live_states];
     *slot = {&live, nowhere};
     if (live.nothing)
-        return; // such a state draws nothing in any band
+        return; // a state with `nothing` draws nothing in any band
     live.nothing = true;
     live.recorder = this;
     live.paths = {};

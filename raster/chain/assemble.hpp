@@ -150,7 +150,8 @@ template <class N> inline constexpr bool by_packets = is_fixed<N>;
 /// all values of the parameter.
 template <class N> inline constexpr bool by_stages = !is_fixed<N> || has_shortcuts;
 
-/// Whether texture coordinates follow the runs of the other tier, not those of this number system.
+/// Whether texture coordinates have the runs of another tier than the one whose number system this is: cubic
+/// runs with balanced numbers, or straight runs with exact numbers.
 template <class N> constexpr bool has_other_runs([[maybe_unused]] const Key& key) {
 #if SPANGLE_MIXES_RUNS
     return has_mixed_runs && is_fixed<N> && key.other_runs;

@@ -14,7 +14,8 @@ bool uses_avx2();
 
 namespace avx2 { // defined in chain_avx2.cpp
 
-/// Both functions do what assemble_any() and runner_of() of raster/chain/assemble_chain.hpp do.
+/// assemble_chain() does what assemble_any() does, and chain_runner() what runner_of() does
+/// (raster/chain/assemble_chain.hpp).
 void assemble_chain(Variant& variant, const Key& key, const FragmentState& state);
 AnyFunction chain_runner(Number number, bool narrow);
 

@@ -54,7 +54,8 @@ SPANGLE_INLINE void fused_loop(List& list, const Place& span, std::int32_t i, st
     } while (++i != stop);
 }
 
-/// Draws n pixels from column `begin` with one lane. The list stands at the first pixel.
+/// Draws n pixels from column `begin` with one lane. The stages of the list must have been started at the
+/// first pixel.
 template <class N, class List>
 SPANGLE_INLINE void fused_narrow(List& list, const Span<typename N::Policy>& span, std::int32_t begin,
                                  std::int32_t n) {
@@ -76,7 +77,7 @@ SPANGLE_INLINE void fused_narrow(List& list, const Span<typename N::Policy>& spa
 
 /// Draws n pixels from column `begin`, eight at a time. The last pixels of a run are a group of their own, in
 /// which other lanes are dead. That group stays inside of the span, unless the span has fewer than eight
-/// pixels. The list stands at the first pixel.
+/// pixels. The stages of the list must have been started at the first pixel.
 template <class N, class List>
 SPANGLE_INLINE void fused_wide(List& list, const Span<typename N::Policy>& span, std::int32_t begin,
                                std::int32_t n) {
@@ -412,7 +413,7 @@ template <class Case, int Wide = host_lanes>
     }
 }
 
-/// Draws the fragments of path i. The list stands at the first fragment.
+/// Draws the fragments of path i. The stages of the list must have been started at the first fragment.
 template <bool Dithered, class List, class N>
 SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
                               [[maybe_unused]] std::uint32_t before) {
@@ -429,7 +430,8 @@ SPANGLE_INLINE void walk_path(List& list, Px<N>& p, const Paths& paths, int i,
         list(p);
         list.step();
         if constexpr (Dithered)
-            at = numeric::factor32(at); // steps only after the search for the word, which saves a register
+            // The step waits until the dithered word has been looked up, which saves a register.
+            at = numeric::factor32(at);
         if constexpr (numeric::cheap_branches) {
             rest += rise;
             at += along;
@@ -498,7 +500,8 @@ template <class Case>
         const int together = paths.one_color ? count : 1;
         for (int first = 0; first < count; first += together) {
             cells.make(static_cast<std::uint32_t>(paths.at(Paths::flat, first)), target.color_stride / 2);
-            for (int left = together, i = first; left > 0; --left, ++i) // this loop has one bound, not two
+            // The loop counts `left` down, so that its bound needs no register.
+            for (int left = together, i = first; left > 0; --left, ++i)
                 walk(i);
         }
     } else {

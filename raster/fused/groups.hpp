@@ -25,7 +25,7 @@ SPANGLE_INLINE Lanes<8>::Mask some_lanes(std::int32_t first, std::int32_t last) 
 
 /// Goes along columns [row.first, row.last) in groups of eight lanes. The last group has dead lanes, whose
 /// pixels keep their bits. All groups lie inside of the scissor rectangle, whose last group starts at column
-/// `room`. Calls draw(n) with the list at a group whose lanes from n on are dead.
+/// `room`. Calls draw(n) for each group, when the list has stepped to it. Lanes from n on are dead.
 template <PixelFormat Format, class N, class List, class At, class Draw>
 SPANGLE_INLINE void each_group(List& list, Px<N>& p, At& at, const Surface& target, const Row& row,
                                std::int32_t room, Draw draw) {
@@ -61,8 +61,8 @@ SPANGLE_INLINE Lanes<8>::Mask first_lanes(std::int32_t n) {
 }
 
 /// Goes along columns [first, last) of the row at `row`, in groups of eight lanes. The scissor rectangle must
-/// hold seven more columns. The list stands at the first column. Calls draw(n) with the list at a group of
-/// which the first n lanes are alive; n may be more than eight.
+/// hold seven more columns. The stages of the list must have been started at the first column. Calls draw(n)
+/// for each group, when the list has stepped to it. The first n lanes are alive; n may be more than eight.
 template <bool Tested, class N, class List, class Draw>
 SPANGLE_INLINE void each_whole_group(List& list, Px<N>& p, const RowPlace& row, std::int32_t first,
                                      std::int32_t last, Draw draw) {
@@ -94,7 +94,7 @@ template <class Case> SPANGLE_INLINE RowPlace row_of(const Surface& target, std:
 struct PlainRow {
     Span<Fixed>& planes;
     std::uint8_t *color, *depth;
-    std::int32_t x, y, dither_column; ///< have the meaning of the members of PlaneRow
+    std::int32_t x, y, dither_column; ///< as the members of PlaneRow with these names
     std::int32_t anchor_x = planes.anchor_x, anchor_y = planes.anchor_y;
     Span<Fixed>::Affine z = planes.z, color_value[3] = {planes.color_value[0], planes.color_value[1],
                                                         planes.color_value[2]};

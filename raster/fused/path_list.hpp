@@ -99,7 +99,8 @@ template <class Case> class PathList {
         const Int rise = load(Paths::rise), denominator = load(Paths::denominator),
                   along = load(Paths::along) * scale, aside = load(Paths::aside) * scale;
         Int at = (load(Paths::first) + static_cast<std::int32_t>(pixels_before_)) * scale,
-            left = ~load(Paths::rest); // the sign becomes the mask `over`
+            // rest >= 0 is tested by the sign of ~rest.
+            left = ~load(Paths::rest);
         Word depth{}, depth_step{};
         if constexpr (Case::tested)
             depth = load_word(Paths::depth), depth_step = load_word(Paths::depth_step);

@@ -179,7 +179,7 @@ namespace detail {
 template <std::uint32_t D> struct ShortRemainder {
     static constexpr int bits = 15 + std::bit_width(D);
     static constexpr std::uint32_t one = 1u << bits, inverse = one / D + 1, excess = inverse * D - one;
-    static constexpr bool exact = excess <= one >> 16; ///< the excess changes no quotient
+    static constexpr bool exact = excess <= one >> 16; ///< true where `excess` changes no quotient
     SPANGLE_INLINE static constexpr std::uint32_t of(std::uint32_t n) {
         return n - (n * inverse >> bits) * D;
     }
@@ -218,7 +218,8 @@ SPANGLE_INLINE constexpr std::int32_t shift_right_round(std::int32_t v, int n) {
 /// v / 2^n rounded to nearest, halves up. A negative n, down to -63, shifts to the left.
 SPANGLE_INLINE constexpr std::int64_t shift_right_round(std::int64_t v, int n) {
     if (n <= 0)
-        return static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << (-n & 63)); // any n shifts 0
+        // The shift count is masked, because a v of 0 may come with any n.
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << (-n & 63));
     if (n > 63)
         return 0;
     const std::int64_t twice = runs_inline ? v >> (n - 1) : times_two_to(v, 1 - n);

@@ -108,7 +108,7 @@ SPANGLE_RUN_INLINE constexpr std::int32_t under_one(int n, const std::int32_t* m
     }
     if (top == none)
         return 0;
-    top += 2; // leaves 30 bits for the value, so a sign and one zero stand above
+    top += 2; // `top` leaves 30 bits for each value, below a sign and a zero bit
     for (int i = 0; i < n; ++i)
         out[i] = m[i] == 0 ? 0 : shift_to_block(m[i], top - e[i]);
     return block_exponent(top);

@@ -97,7 +97,8 @@ SPANGLE_RUN_INLINE constexpr std::int32_t scale_words(int n, const Block* a, int
             own = width(a[stride * j]) - column[j];
     if (own == no_exponent) // all elements are 0, and any exponent is right
         own = exponent == no_exponent ? 0 : exponent;
-    for (exponent = own > exponent ? own : exponent;; ++exponent) { // at most three rounds, because n <= 4
+    // The loop has at most three rounds, because n <= 4.
+    for (exponent = own > exponent ? own : exponent;; ++exponent) {
         std::uint64_t sum = 0;
         for (int j = 0; j < n; ++j) {
             const Block v = a[stride * j];
@@ -166,7 +167,7 @@ template <int N, class Shifted>
 SPANGLE_INLINE constexpr Mantissas<N> align_mantissas(const Real (&v)[N], const std::int32_t (&e)[N],
                                                       std::int32_t top, const Shifted& shifted) {
     Mantissas<N> out{};
-    top += 2; // leaves 30 bits
+    top += 2; // each mantissa has at most 30 bits
     std::uint32_t one = 0x80000000u;
     one = kept_in_register(one);
 #pragma GCC unroll runs_inline ? 4 : 1
@@ -310,7 +311,7 @@ template <int N, class B> constexpr B product(const BlockMatrixN<N>& a, const Ma
     std::int32_t m[N], e[N];
     for (int i = 0; i < N; ++i) {
         m[i] = row_times<N>(a.m + N * i, v.m);
-        e[i] = v.e + a.row[i] + 1; // the high word is worth 2^(32 - 31)
+        e[i] = v.e + a.row[i] + 1; // the high word counts 2^32, and mantissas of rows count 2^-31
     }
     return common_exponent<N, B>(m, e);
 }

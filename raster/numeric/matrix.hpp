@@ -51,7 +51,7 @@ constexpr Element make_element(std::int64_t v, std::int32_t e) {
         return {};
     const std::uint64_t magnitude = abs_u64(v);
     const int zeros = clz64(magnitude);
-    std::int32_t drop = 33 - zeros; // leaves 31 bits
+    std::int32_t drop = 33 - zeros; // the mantissa keeps 31 bits
     if (e + drop < element_least)
         drop = element_least - e;
     std::uint64_t m = shift_right_even(magnitude, drop);

@@ -26,8 +26,9 @@ constexpr Matrix scaling(Real x, Real y, Real z) {
     return r;
 }
 
-/// A rotation whose upper left 3 x 3 part has twice the bits of an Element. `rest` is the part that rounding
-/// has taken from `matrix`. So repeated rotations by it add up only the errors of each sum.
+/// A rotation whose upper left 3 x 3 part has twice the bits of an Element. `rest` is what rounding to
+/// Elements has taken off `matrix`. A program may multiply by the same rotation again and again: the rounding
+/// of the rotation itself then adds no error.
 struct Rotation {
     Matrix matrix = identity();
     Element rest[3][3]; ///< what rounding took off; the indices are column and row
@@ -72,14 +73,15 @@ constexpr Matrix multiply(const Matrix& a, const Rotation& b) {
 SPANGLE_RUN_CALL constexpr Matrix projection(Real left, Real right, Real bottom, Real top, Real near,
                                              Real far, bool perspective) {
     const Real low[3] = {left, bottom, near}, high[3] = {right, top, far};
-    Block twice = to_block(perspective ? low[2] : one); // will be doubled: 2 near, or 2
+    // `twice` is doubled below: it becomes 2 near, or 2 without perspective.
+    Block twice = to_block(perspective ? low[2] : one);
     ++twice.e;
     Matrix m = identity();
     for (int i = 0; i < 3; ++i) {
         const Block from = to_block(low[i]), to = to_block(high[i]), size = sub(to, from);
         const Block middle = div(add(to, from), size);
         m.set(i, perspective ? 2 : 3, to_element(perspective && i != 2 ? middle : negate(middle)));
-        const bool divided = perspective && i == 2; // this row has -2 far near / depth, in its last column
+        const bool divided = perspective && i == 2; // row 2 gets -2 far near / depth, in its last column
         const Block scale = div(divided ? mul(twice, to) : twice, size);
         m.set(i, divided ? 3 : i, to_element(i == 2 ? negate(scale) : scale));
     }
@@ -100,7 +102,8 @@ namespace detail {
 
 /// a[i] b[k] - b[i] a[k]. Both products are below 2^60 and exact before the subtraction.
 SPANGLE_RUN_CALL constexpr Block determinant2(const Block* a, const Block* b, int i, int k) {
-    if (wide_words && (a[i].m == 0 || b[k].m == 0) && (b[i].m == 0 || a[k].m == 0)) // only faster
+    // This branch only saves time.
+    if (wide_words && (a[i].m == 0 || b[k].m == 0) && (b[i].m == 0 || a[k].m == 0))
         return {};
     return sum(mul_s32(a[i].m * 2, b[k].m * 2), a[i].e + b[k].e - 2, mul_s32(b[i].m * 2, a[k].m * -2),
                b[i].e + a[k].e - 2);
@@ -164,7 +167,9 @@ inline constexpr std::uint8_t minor[4][3] = {{5, 4, 3}, {5, 2, 1}, {4, 2, 0}, {3
 /// Computes the inverse from 2 x 2 minors of the upper and the lower half. Returns false, and leaves `out`
 /// unchanged, where the determinant is 0.
 constexpr bool inverse(const Matrix& a, Matrix& out) {
-    Block v[4][4], upper[6], lower[6]; // upper: rows 0 and 1, lower: rows 2 and 3, of the columns in `pair`
+    // The 2 x 2 minors of each pair of columns: `upper` has those of rows 0 and 1, and `lower` those of rows
+    // 2 and 3.
+    Block v[4][4], upper[6], lower[6];
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
             v[i][j] = element(a, i, j);

@@ -187,7 +187,7 @@ namespace detail {
 /// v * n modulo 2^64. n is a signed half-word, or 2^15 if v has no bits below 2^16.
 SPANGLE_INLINE constexpr std::uint64_t times_half(std::uint64_t v, std::int32_t n) {
 #if defined(__thumb__) && !defined(__thumb2__)
-    if (!std::is_constant_evaluated()) { // 11 instructions, where GCC 12 makes 18
+    if (!std::is_constant_evaluated()) { // this code has 11 instructions; GCC 12 makes 18
         std::uint32_t middle, other;
         asm(".syntax unified\n\t" // NOLINT(hicpp-no-assembler)
             "lsrs %[middle], %Q[v], #16\n\t"

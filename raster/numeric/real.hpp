@@ -91,7 +91,8 @@ constexpr Real from_i32(std::int32_t v) {
     if (!runs_inline || magnitude - 1 >= (1u << 24) - 1) // what follows is a faster way for small numbers
         return pack_real(v < 0, magnitude, 0);
     const int zeros = clz32(magnitude); // 8 .. 31: all of its bits fit the mantissa, so nothing is rounded
-    const std::uint32_t exponent = static_cast<std::uint32_t>(157 - zeros) << 23; // the top bit adds one
+    // The mantissa's top bit adds 1 to the exponent field, so the field begins one too low.
+    const std::uint32_t exponent = static_cast<std::uint32_t>(157 - zeros) << 23;
     return {(static_cast<std::uint32_t>(v) & 0x80000000u) + exponent + (magnitude << (zeros - 8))};
 }
 /// v / 2^fraction_bits.
@@ -327,7 +328,8 @@ constexpr std::int32_t to_normalized_int(Real v) {
     const detail::Unpacked u = detail::unpack({magnitude < one.bits ? magnitude : one.bits});
     const std::int32_t drop = 1 - u.exponent; // >= 24
     // ((2^32 - 1) v - 1) / 2 rounded to nearest, halves up, is floor((2^32 - 1) v / 2).
-    const auto product = static_cast<std::int64_t>(u.mantissa * std::uint64_t{0xFFFFFFFF}); // 56 bits
+    // The product has at most 56 bits.
+    const auto product = static_cast<std::int64_t>(u.mantissa * std::uint64_t{0xFFFFFFFF});
     const std::int64_t below = (product - (negative ? 1 : 0)) >> (drop < 63 ? drop : 63);
     return static_cast<std::int32_t>(negative ? ~below : below);
 }

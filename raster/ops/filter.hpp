@@ -23,9 +23,10 @@ template <class L, std::uint32_t Sum> struct RowWeights {
     }
 };
 
-/// Filters words R5 G6 B5 to 255ths with 8 fraction bits. The weights also convert: 31 2105 and 63 1036 are
-/// 255 less a 10th and a 20th of a 255th. Half of this lack is added to every sum. 16 bits hold the sum, and
-/// four equal texels keep their value, also as 8 bits. With one lane red and blue share a word.
+/// Filters words R5 G6 B5 to 255ths with 8 fraction bits. The weights also convert: in 256ths, 31 * 2105 is a
+/// 10th of a 255th less than 255, and 63 * 1036 is a 20th less. Half of this lack is added to every sum. 16
+/// bits hold the sum, and four equal texels keep their value, also as 8 bits. With one lane red and blue
+/// share a word.
 template <int Count> struct Filter565 {
     using L = Lanes<Count>;
     using N = Balanced<Count>;

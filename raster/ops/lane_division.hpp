@@ -77,7 +77,7 @@ template <class Vector> struct LongPair {
     SPANGLE_INLINE static Vector even_words(const Vector& v) {
         return std::bit_cast<Vector>(std::bit_cast<Long>(v) & 0xFFFFFFFFu);
     }
-    /// after() for any `down`, negative or too large.
+    /// Does what after() does, for any `down`: also for a negative number and for one above 63.
     [[gnu::noinline]] static LongPair after_any(const LongPair& v, const Vector& down) {
         const Vector most = Vector{} + 63u;
         const auto n = lane_words::as_signed(down);

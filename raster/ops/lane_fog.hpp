@@ -53,7 +53,9 @@ SPANGLE_INLINE LaneWords lane_fog_factor(FogMode mode, const LaneWords& coordina
             const Vector low = inner::LongPair<Vector>{inner::even_products(c, c) >> 24,
                                                        inner::even_products(odd, odd) >> 24}
                                    .low_words();
-            return low | std::bit_cast<Vector>(c >> 28 != 0); // the square of 16 is 2^8, which fits no word
+            // A |c| of 16 or more (bit 28 of s7.24) has a square of 2^8 or more, which a word with 24
+            // fraction bits cannot hold. Its word becomes all ones.
+            return low | std::bit_cast<Vector>(c >> 28 != 0);
         },
         coordinate);
     return lane_exp2_neg(square) >> 6;

@@ -25,7 +25,8 @@ template <class Long> SPANGLE_INLINE Long parts_of(const Long& v) {
     const Long beyond = ((v >> 53) + 0x7FFu) >> 11; // 1 where v has more than the 53 bits of a double
     const Long kept = v & ~((beyond << 11) - beyond);
     constexpr std::uint64_t two_52 = std::uint64_t{0x433} << 52, two_84 = std::uint64_t{0x453} << 52;
-    constexpr double of_exponents = 0x1p84 + 0x1p52; // what two_84 and two_52 add to the value
+    // The exponents in `two_84` and `two_52` add this number to the value.
+    constexpr double of_exponents = 0x1p84 + 0x1p52;
     const auto high = std::bit_cast<Doubles>((kept >> 32) | two_84) - of_exponents,
                low = std::bit_cast<Doubles>((kept & 0xFFFFFFFFu) | two_52);
     return (std::bit_cast<Long>(high + low) >> 36) & 0x7FFFFFFu; // a sum of 0 may be -0
@@ -57,7 +58,8 @@ template <class Vector> SPANGLE_INLINE Vector at_least_one(const Vector& v) {
     return (v & positive) | (1u & ~positive);
 }
 
-/// |dv q - v dq| of the even words of all four vectors. This is the derivative of v / q, times q^2.
+/// The size of the derivative of v / q, times q^2, for the even words of all four vectors: |dv q - v dq|,
+/// where dv and dq are the differences from pixel to pixel.
 template <class Vector>
 SPANGLE_INLINE Longs<Vector> even_derivative(const Vector& dv, const Vector& v, const Vector& dq,
                                              const Vector& q) {
@@ -67,14 +69,14 @@ SPANGLE_INLINE Longs<Vector> even_derivative(const Vector& dv, const Vector& v, 
     const auto negative = std::bit_cast<Long>(std::bit_cast<Signed>(d) < 0);
     return (d ^ negative) - negative;
 }
-/// |dv q - v dq|, where each word has its own differences.
+/// |dv q - v dq| (even_derivative()) for all words. Each word has differences of its own.
 template <class Vector>
 SPANGLE_INLINE LongPair<Vector> derivative(const Vector& dv, const Vector& v, const Vector& dq,
                                            const Vector& q) {
     return {even_derivative(dv, v, dq, q),
             even_derivative(odd_words(dv), odd_words(v), odd_words(dq), odd_words(q))};
 }
-/// |dv q - v dq|, where all words have the same differences.
+/// |dv q - v dq| (even_derivative()) for all words. The differences dv and dq are the same for all words.
 template <class Vector>
 SPANGLE_INLINE LongPair<Vector> derivative(std::int32_t dv, const Vector& v, std::int32_t dq,
                                            const Vector& q) {

@@ -221,7 +221,7 @@ template <class Products> class NearDivisionOf {
 
     const Patch& patch_;
     std::int32_t column_, row_;
-    const FixedVertex* const (&vertices_)[3]; ///< vertices of the primitive
+    const FixedVertex* const (&vertices_)[3]; ///< vertices of the primitive whose planes are divided
     int leading_zeros_ = 1;
     std::uint32_t mantissa_ = 0;
     std::uint32_t reciprocal_error_ = 0; ///< inaccuracy of 1/q, in the unit of Products::reciprocal_error()
@@ -264,7 +264,8 @@ template <int Count> class NearPlanes : public RowPlanes<Count> {
     L::U16 offset_[Count];
 };
 
-/// The inverse near a place, for eight fragments: u + u^2 + u^3.
+/// Divides by w near a place, for eight fragments at once. 1/q is 1/m times 1 + u + u^2 + u^3, where u is the
+/// plane of NearDivisionOf.
 class NearInverse {
   public:
     using L = Lanes<8>;

@@ -293,7 +293,7 @@ struct Coarse {
     /// Alpha of 8 bits in 32nds, to the nearest.
     template <class T> SPANGLE_INLINE static T alpha(T a) { return (a + 4) >> 3; }
     static constexpr std::uint32_t most = 32;
-    /// (s a + k (32 - a)) / 32 to the nearest, halves up. The sum before the shift is at most 63 32 + 16.
+    /// (s a + k (32 - a)) / 32 to the nearest, halves up. The sum before the shift is at most 63 * 32 + 16.
     template <class T> SPANGLE_INLINE static T over(T s, T a, T k) {
         return ((k << 5) + (s - k) * a + 16) >> 5;
     }

@@ -44,13 +44,13 @@ struct Packed {
     };
     /// The stored word that Balanced<1>::over() and dithered() make. Its bits are the top bits of products.
     SPANGLE_INLINE static std::uint32_t over(const Color& s, std::uint32_t under, const Threshold& t) {
-        // Both factors are kept in registers, because compilers would make sums of shifts of constant
-        // factors.
+        // The factors by_five and by_six are kept in registers. Compilers would make sums of shifts of
+        // constant factors.
         std::uint32_t by5 = numeric::kept_in_register(by_five), by6 = numeric::kept_in_register(by_six);
         Sums x(s, under);
         x.rb += ((x.rb + 0x00800080) >> 8) & 0x00FF00FF;
         x.g += (x.g + 0x80) >> 8;
-        const std::uint32_t five = numeric::factor32(t.five); // makes compilers read the threshold once
+        const std::uint32_t five = numeric::factor32(t.five); // compilers then read the threshold once
         return ((x.rb & 0xFFFF) * by5 + five) >> 27 << 11 | (x.g * by6 + (five >> 1)) >> 26 << 5 |
                ((x.rb >> 16) * by5 + five) >> 27;
     }

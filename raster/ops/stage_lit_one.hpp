@@ -60,11 +60,13 @@ template <> struct LitNumbers<NearWords> {
         return static_cast<std::uint32_t>(
             ((std::uint64_t{c} << 32 | fog_color) + numeric::mul_u32(fog_color, rest)) >> 32);
     }
-    /// The part of a component's error bound that comes from the patch. A 255th is 2^22 or less.
+    /// The error bound of a component, from the bound `off` that its quotients have over the whole patch. One
+    /// 255th is at most 2^22 in these units, and light is not rounded further.
     SPANGLE_INLINE static std::uint32_t of_patch(std::uint32_t off) { return off; }
-    /// Bounds how far a component may be below the guess. The chain's rounding takes less than 3 of its bits
-    /// off, and one of them is 4 here. Its steps take less than 1 off. Affine colours include half a 256th of
-    /// a 255th, and a low word adds 1.
+    /// Bounds how far a component may be below the guess. The last bit of the exact tier counts 4 here. The
+    /// chain's rounding takes off less than 3 such bits, and its conversion to steps less than 1 unit of this
+    /// arithmetic. Affine colours include half a 256th of a 255th. A low word that may hold anything
+    /// (NearWords) adds 1.
     template <bool Full> static constexpr std::uint32_t under = 3 * 4 + (Full ? 0 : 1u << 13) + 2;
     /// Bounds how far a component may be above the guess. The chain adds less than 1. Light is rounded down
     /// before it is multiplied by `Whole`, and again before it meets the texel. The fog's colour and the sum
@@ -108,9 +110,9 @@ template <> struct LitNumbers<NearHalves> {
     SPANGLE_INLINE static std::uint32_t fogged(std::uint32_t c, std::uint32_t fog_color, std::uint32_t rest) {
         return c + fog_color * rest;
     }
-    /// The part of a component's error bound that comes from the patch. A 256th of a 255th is 2^16 or less.
-    /// Light and the fog's colour, rounded to such units, are off by 1/2. The rounding of the exact tier is
-    /// less than 2^-10.
+    /// The error bound of a component, from the bound `off` that its quotients have over the whole patch. A
+    /// 256th of a 255th is at most 2^16 in these units. Light and the fog's colour, rounded to such units,
+    /// are off by 1/2. The rounding of the exact tier is less than 2^-10.
     SPANGLE_INLINE static std::uint32_t of_patch(std::uint32_t off) { return off << 16; }
     template <bool> static constexpr std::uint32_t under = (1u << 15) + (1u << 6);
     /// Bounds how far a component may be above the guess, including what light() loses. With fog, the factors
@@ -202,7 +204,8 @@ template <class Products, bool Full> class LitColorOne {
         if constexpr (Full)
             return static_cast<std::uint32_t>(numeric::clamp<std::int32_t>(v_.at(i, inverse), 0, one));
         else
-            return LitNumbers<Products>::affine(v_.value(i)); // needs no upper limit (Balanced::from_affine)
+            // No limit from above is needed (Balanced::from_affine).
+            return LitNumbers<Products>::affine(v_.value(i));
     }
 
   private:
@@ -276,7 +279,7 @@ class LitOne : public T {
             blue = share(b_);
         }
         const std::uint32_t rest = Numbers::rest(f), from = thresholds_.threshold(i) + from_;
-        // The least that a component may be.
+        // Returns the least value that a component may have.
         const auto lit = [&](std::uint32_t light, std::uint32_t k, int component)
             __attribute__((always_inline)) {
             const std::uint32_t v = light * k + from;
@@ -311,7 +314,8 @@ class LitOne : public T {
     static constexpr std::uint32_t whole = Dither ? ((1u << Bits) - 1) << (top - 6) : 255u << (top - 8);
     template <unsigned Bits> static constexpr int step = top - (Dither ? 6 : static_cast<int>(Bits));
 
-    /// The stored bits that would change if the component were as large as it may be.
+    /// Returns which stored bits depend on the error: those in which the least value `v` differs from the
+    /// largest value, v + range_.
     template <unsigned Bits> SPANGLE_INLINE std::uint32_t changed(std::uint32_t v) const {
         return ((v + range_) ^ v) >> step<Bits>;
     }

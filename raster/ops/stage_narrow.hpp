@@ -61,7 +61,8 @@ template <class N> struct StoreNarrow : StageBase {
     bool operator()(Px<N>& p) const {
         typename N::Color c = p.color;
         if (mask != 7 && format_info(place.format).grey) {
-            const typename N::Color old = place.load(p); // kept channels count in a grey's luma
+            // A grey is the luma of all three channels, so masked channels keep their old values in it.
+            const typename N::Color old = place.load(p);
             c = {(mask & 1) != 0 ? c.r : old.r, (mask & 2) != 0 ? c.g : old.g, (mask & 4) != 0 ? c.b : old.b,
                  c.a};
         }

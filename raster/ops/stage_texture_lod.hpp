@@ -112,7 +112,7 @@ class LevelOfDetail {
     std::int32_t bias_u_, bias_v_ = 0; ///< logarithms of the sizes, with 8 fraction bits
     // These are set where levels vary.
     Plane q_, s_, t_;
-    std::int32_t exponent_; ///< of the coordinates, with 8 fraction bits
+    std::int32_t exponent_; ///< exponent of the coordinates, in 256ths
 
     void read_planes() {
         const auto& unit = span_.unit[unit_];

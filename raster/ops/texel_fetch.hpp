@@ -195,7 +195,8 @@ class TexelFetch {
             });
         }
     }
-    /// Calls f(corner, group, numbers), where numbers(lane) are the texel's numbers along s and along t.
+    /// Calls f(corner, group, numbers) for each corner and each group of eight lanes. numbers(lane) returns
+    /// the number of the lane's texel along s and its number along t.
     template <class F> SPANGLE_INLINE void each_number(F f) const {
         each_group([&](int corner, std::int32_t g, const U16& s,
                        const U16& t) __attribute__((always_inline)) {

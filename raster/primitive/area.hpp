@@ -56,7 +56,8 @@ struct Outline {
     int count;
     OutlinePoint (*at)(const void* corners, int i);
 
-    OutlinePoint operator[](int i) const { return at(corners, i < count ? i : 0); } ///< [count] is the first
+    /// Corner `count` is corner 0 again.
+    OutlinePoint operator[](int i) const { return at(corners, i < count ? i : 0); }
 };
 inline Outline outline_of(const OutlinePoint* corners, int count) {
     return {corners, count, [](const void* all, int i) { return static_cast<const OutlinePoint*>(all)[i]; }};

@@ -138,7 +138,8 @@ template <class V> class Fan {
         for (int i = 1; i < corners; ++i)
             outer_edges_[i] =
                 detail::FanEdge(position(*corner[i]), position(*corner[i + 1 < corners ? i + 1 : 0]));
-        for (int i = 1; i < corners; ++i) // the first and the last spoke are sides, too
+        // The first and the last of these edges are sides of the fan, too.
+        for (int i = 1; i < corners; ++i)
             inner_edges_[i] = detail::FanEdge(position(*corner[0]), position(*corner[i]));
     }
 
@@ -174,7 +175,7 @@ template <class V> class Fan {
         for (int i = 1; i + 1 < corner_count_; ++i)
             out.triangle_columns[i - 1] = triangle_centers[i].columns();
     }
-    /// The centres of any row that the whole fan covers.
+    /// Finds the centres that the fan as a whole covers in a row. Rows may be asked for in any order.
     detail::Columns centers(std::int32_t row) const {
         detail::RowCenters found;
         for (int i = 0; i < corner_count_; ++i) {

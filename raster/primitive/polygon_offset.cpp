@@ -49,7 +49,8 @@ void set_depth_offset<FixedVertex>(PrimitiveState& out, const PolygonOffset& off
     const int down = zeros < 32 ? 32 - zeros : 0;
     auto q = static_cast<std::uint64_t>(numeric::quotient(
         static_cast<std::int64_t>(most << up), static_cast<std::uint32_t>(numeric::abs_u64(area2) >> down)));
-    int exponent = 10 - up - down; // of the offset, where the range of depth and one code are 2^32
+    // The exponent of the depth offset, in which 2^32 is the range of depth plus one code.
+    int exponent = 10 - up - down;
     q -= q >> bits;
     if (const int excess = 26 - numeric::clz64(q); excess > 0) {
         q >>= excess;

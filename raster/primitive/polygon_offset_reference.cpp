@@ -13,7 +13,8 @@ void set_depth_offset<DoubleVertex>(PrimitiveState& out, const PolygonOffset& of
                                     std::int64_t area2) {
     const double factor = std::bit_cast<float>(numeric::to_float_bits(offset.factor)),
                  units = std::bit_cast<float>(numeric::to_float_bits(offset.units));
-    const double area = static_cast<double>(area2) / subpixel_one; // depth times n.8 over it: depth per pixel
+    // Products of a depth and a coordinate in n.8, divided by this area, are depths per pixel.
+    const double area = static_cast<double>(area2) / subpixel_one;
     const double along_x = (b.z - a.z) * (c.y - a.y) - (c.z - a.z) * (b.y - a.y);
     const double along_y = (b.z - a.z) * (c.x - a.x) - (c.z - a.z) * (b.x - a.x);
     const double slope = area2 == 0 ? 0 : std::fmax(std::fabs(along_x), std::fabs(along_y)) / std::fabs(area);

@@ -16,8 +16,8 @@ namespace spangle::raster {
 /// the lowest to the middle one, and from there to the highest. Left edges own their centres, and right edges
 /// do not. A horizontal bottom edge counts as a right edge, but owns its centres.
 ///
-/// Corners and centres lie within 9 columns and 13 rows, so twice an area is at most 9 13 2^16. They may also
-/// lie within 17 and 7, or 5 and 24; differences fit 16 bits then, too. From centre to centre the area
+/// Corners and centres lie within 9 columns and 13 rows, so twice an area is at most 9 * 13 * 2^16. They may
+/// also lie within 17 and 7, or 5 and 24; differences fit 16 bits then, too. From centre to centre the area
 /// changes by whole multiples of 2^8, so dropped bits below decide nothing.
 SPANGLE_INLINE void set_edges(Tile& tile, const FixedVertex& a, const FixedVertex& b, const FixedVertex& c,
                               bool middle_left) {
@@ -51,7 +51,8 @@ SPANGLE_INLINE void set_edges(Tile& tile, const FixedVertex& a, const FixedVerte
                           words(L::mixed_high(product, product_high)) + words(L::mixed_low(flat, flat));
     constexpr std::uint16_t on = 0xFFFF;
     constexpr U16 if_right = {0, on, on, 0, on, 0, 0, 0};
-    const U16 flip = L::splat(middle_left ? on : 0u) ^ if_right; // of x and y always one is negated
+    // Of the steps along x and along y, one is always negated.
+    const U16 flip = L::splat(middle_left ? on : 0u) ^ if_right;
     tile.value = std::bit_cast<U16>(area >> subpixel_bits) ^ L::mixed_low(flip, flip);
     tile.by = (across ^ flip) - flip;
 }

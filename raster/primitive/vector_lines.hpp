@@ -18,7 +18,7 @@ struct CoefficientTable {
     std::uint8_t lift[size];
     constexpr CoefficientTable() : at{}, lift{} {
         for (std::uint32_t length = 1; length < size; ++length) {
-            const int zeros = numeric::clz32(length); // at least 20, which the longest has
+            const int zeros = numeric::clz32(length); // 20 or more: the longest length has 12 bits
             at[length] = static_cast<std::int32_t>(numeric::reciprocal(length << zeros) >> 1);
             lift[length] = static_cast<std::uint8_t>(zeros - 20);
         }

@@ -26,7 +26,7 @@ enum class ShadowStage : std::uint8_t {
     window_z,  ///< difference, 0 .. 1
     inverse_w, ///< relative difference of 1/w
     depth,     ///< difference, 0 .. 1
-    primary,   ///< largest difference of a component, 0 .. 1; so it is for all colours
+    primary,   ///< largest difference of a component, 0 .. 1, as in all stages of colours below
     coord0,    ///< difference in texels of the base level; whole repeats do not count
     lod0,      ///< difference in levels of detail
     texture0,  ///< difference of the colour after the unit

@@ -20,7 +20,7 @@ constexpr StepFactors step_factors(std::uint64_t five, std::uint64_t six, std::u
     };
     return {of(five), of(six)};
 }
-/// The exact factors are 31 8 / 255 and 63 4 / 255. Where colours may be less accurate, the factors are
+/// The exact factors are 31 * 8 / 255 and 63 * 4 / 255. Where colours may be less accurate, the factors are
 /// 249/256 and 253/256, which make steps at most a 290th of a step too large. Thresholds are 1/32 to 31/32 of
 /// a step, so with both pairs a colour of k whole steps stays at k.
 inline constexpr StepFactors exact_steps = step_factors(31 * 8, 63 * 4, 255),

@@ -72,7 +72,7 @@ constexpr auto t565 = TexelFormat::rgb565, t888 = TexelFormat::rgb888, t8888 = T
 
 constexpr KeyBuilder flat(Number::raw565, Kind::flat), smooth(Number::raw565, Kind::affine);
 constexpr KeyBuilder straight(Number::raw565, Kind::affine),
-    bent(Number::raw565, Kind::textured); // their texels are stored unchanged
+    bent(Number::raw565, Kind::textured); // keys of texels that are stored unchanged
 constexpr KeyBuilder affine(Number::balanced, Kind::affine), textured(Number::balanced, Kind::textured),
     full(Number::balanced, Kind::full);
 constexpr KeyBuilder fine_affine(Number::exact, Kind::affine), fine(Number::exact, Kind::textured),

@@ -56,7 +56,7 @@ template <class T> struct Interpolant {
 /// coefficients.
 struct Coefficients {
     std::int32_t dx[2], dy[2];
-    /// From the reference vertex to the centre of its pixel, as coefficients of d1 and d2.
+    /// The way from the reference vertex to the centre of its pixel, also as factors of d1 and d2.
     std::int32_t center[2];
     int exponent;
 };

@@ -1,5 +1,6 @@
-// Trapezoids are a triangle of moderate size, as a separate loop draws it on hosts with eight lanes. The loop
-// walks along the sides itself. Rows of a handful of fragments would cost more to store and to read back.
+// On hosts with eight lanes, triangles of moderate size are drawn as trapezoids, by a loop of their own. The
+// loop walks along the sides itself. Rows of a handful of fragments would cost more to store and to read
+// back.
 #pragma once
 
 #include <cstdint>

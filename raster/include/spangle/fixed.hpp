@@ -196,7 +196,7 @@ constexpr std::int64_t angle(std::int64_t y, std::int64_t x) {
     if (x == 0 && y == 0)
         return 0;
     std::int64_t a = 0;
-    if (x < 0) { // half a turn back into the right half plane
+    if (x < 0) { // adds half a turn, so that x becomes positive
         a = y < 0 ? -pi_q30 : pi_q30;
         x = -x, y = -y;
     }
@@ -222,11 +222,11 @@ constexpr fixed from_q30(std::int64_t v) {
 constexpr fixed abs(fixed v) {
     return v.bits < 0 ? -v : v;
 }
-/// The largest integer that is not larger.
+/// The largest integer that is at most v.
 constexpr fixed floor(fixed v) {
     return fixed::from_bits(static_cast<std::int32_t>(static_cast<std::uint32_t>(v.bits) & 0xFFFF0000u));
 }
-/// The least integer that is not less, saturated.
+/// The least integer that is at least v, saturated.
 constexpr fixed ceil(fixed v) {
     return -floor(-v);
 }
@@ -305,9 +305,10 @@ constexpr fixed asin(fixed v) {
 
 } // namespace spangle
 
-/// GLM reads these. It uses types where it wants floating point only if is_iec559 is true.
+/// The properties of spangle::fixed, which GLM reads. Where GLM wants a floating-point type, it accepts only
+/// a type whose is_iec559 is true.
 template <> struct std::numeric_limits<spangle::fixed> {
-    /// As std::numeric_limits has them; `is_iec559` is true for GLM's sake.
+    /// The members of std::numeric_limits. `is_iec559` is true for GLM's sake.
     static constexpr bool is_specialized = true, is_signed = true, is_integer = false, is_exact = false,
                           is_iec559 = true;
     /// There are neither infinities nor NaNs, and arithmetic saturates.

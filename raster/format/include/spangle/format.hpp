@@ -44,7 +44,8 @@ struct FormatInfo {
 };
 
 namespace detail {
-/// Not the function's own: that would be built on the stack where the format is known at run time only.
+/// The table of format_info(). It is not a local constant of that function, because a table that is indexed
+/// at run time would then be built on the stack.
 inline constexpr FormatInfo formats[] = {{2, 5, 6, 5, 0, 16},         {2, 5, 6, 5, 0, 16},
                                          {3, 8, 8, 8, 0, 24},         {4, 8, 8, 8, 8, 32},
                                          {3, 6, 6, 6, 0, 24},         {0, 4, 4, 4, 0, 12},
@@ -59,7 +60,8 @@ constexpr const FormatInfo& format_info(PixelFormat format) {
 /// The number of pixel formats.
 inline constexpr int pixel_formats = 10;
 
-/// False, whatever the format, in builds without such surfaces: what only they need is not compiled.
+/// Whether the format is narrow. A build without narrow surfaces always answers false, so the code that only
+/// they need is not compiled.
 constexpr bool is_narrow(PixelFormat format) {
     return SPANGLE_FEATURE_NARROW_SURFACES && format > PixelFormat::rgba8888 && format < PixelFormat::index8;
 }
@@ -76,7 +78,8 @@ constexpr bool is_drawable(PixelFormat format) {
 constexpr std::int32_t row_bytes(PixelFormat format, std::int32_t width) {
     return (width * format_info(format).bits + 7) / 8;
 }
-/// The stored rows of a picture of `height` rows: as many, or pages of eight.
+/// The stored rows of a picture of `height` rows. In mono format, eight rows are one stored row; in all
+/// others each row is one.
 constexpr std::int32_t stored_rows(PixelFormat format, std::int32_t height) {
     const std::int32_t rows = format_info(format).rows;
     return (height + rows - 1) / rows;
@@ -91,7 +94,7 @@ enum class DepthFormat : std::uint8_t {
 
 /// Half-open rectangle: x .. x+w-1, y .. y+h-1. Empty when w or h is <= 0.
 struct Rect {
-    /// The first column and row, and how many of them.
+    /// The first column and the first row, and the numbers of columns and rows.
     std::int32_t x = 0, y = 0, w = 0, h = 0;
     friend constexpr bool operator==(const Rect&, const Rect&) = default;
 };
@@ -116,7 +119,7 @@ struct RowExtents {
     std::int32_t height = 0;
     /// The surface was cleared as a whole since the last present.
     bool cleared = false;
-    std::uint32_t clear_value = 0; ///< the same for two clears whose pixels are the same
+    std::uint32_t clear_value = 0; ///< equal for two clears that give the same pixels
 };
 
 } // namespace spangle

@@ -71,8 +71,8 @@ namespace spangle::raster {
 
 /// Whether fog is built in.
 inline constexpr bool has_fog = SPANGLE_FEATURE_FOG != 0;
-/// Secondary colours come from lights or from vertices. Only the chain adds them: without it such a state is
-/// an error.
+/// Secondary colours come from lights or from vertices. Only the chain adds them, so in builds without a
+/// chain a state with a colour sum is an error.
 #define SPANGLE_SECONDARY_COLORS                                                                             \
     (SPANGLE_CHAIN && (SPANGLE_FEATURE_LIGHTING || SPANGLE_FEATURE_SECONDARY_COLOR))
 /// Whether secondary colours are built in.

@@ -81,8 +81,8 @@ enum class CombineSource : std::uint8_t { texture, constant, primary_color, prev
 enum class CombineOperand : std::uint8_t { color, one_minus_color, alpha, one_minus_alpha };
 /// Which components a texture has (GL 1.3, 3.8.1).
 enum class BaseFormat : std::uint8_t { alpha, luminance, luminance_alpha, intensity, rgb, rgba };
-/// Where a fragment's primary colour comes from: its vertices, or the image that is drawn; with
-/// `of_pixels_565` one of k/31, k/63, k/31, so that nothing is lost in 16 bits.
+/// Where a fragment's primary colour comes from: its vertices, or the image that is drawn. With
+/// `of_pixels_565` the image has components k/31, k/63 and k/31, so that 16 bits hold its colours exactly.
 enum class Colors : std::uint8_t { of_vertices, of_pixels, of_pixels_565 };
 /// How the fog factor follows from the distance (GL 1.3, 3.10).
 enum class FogMode : std::uint8_t { exp, exp2, linear };
@@ -162,7 +162,7 @@ struct Texture {
     Filter mag = Filter::linear, min = Filter::nearest;
     /// What TEXTURE_MIN_FILTER asks between images.
     MipFilter mip = MipFilter::none;
-    /// How many dimensions the texture has, and which texel coordinates name.
+    /// The dimensions of the texture, and which of the coordinates s, t and r select a texel.
     TextureShape shape = TextureShape::plane;
     std::uint16_t depth = 1; ///< images of a volume's base level; level l has 1/2^l of them, at least one
     /// TEXTURE_WRAP_R.
@@ -207,8 +207,10 @@ struct TextureUnit {
     const Texture* texture = nullptr; ///< null: unit off
     /// TEXTURE_ENV_MODE.
     TexEnv env = TexEnv::modulate;
-    Combiner rgb, alpha;                       ///< for TexEnv::combine; units they name as a source are on
-    std::int32_t lod_bias = 0;                 ///< s23.8, of the texture and of the unit
+    /// The combiners of TexEnv::combine. Every unit that they name as a source is on.
+    Combiner rgb, alpha;
+    /// The LOD biases of the texture and of the unit together, in s23.8.
+    std::int32_t lod_bias = 0;
     std::uint32_t env_color[4] = {0, 0, 0, 0}; ///< Colour units (see vertex.hpp)
     friend constexpr bool operator==(const TextureUnit&, const TextureUnit&) = default;
 };
@@ -280,13 +282,14 @@ struct FragmentState {
     /// Bit 0 red, 1 green, 2 blue, 3 alpha, or the bits of an index; 0 also when DrawBuffer is NONE.
     std::uint8_t color_mask = 0xF;
     Rect scissor;            ///< already intersected with the surface; drawing never leaves it
-    Tier tier = Tier::exact; ///< applies to fog, too (PERSPECTIVE_CORRECTION_HINT)
+    Tier tier = Tier::exact; ///< the tier of fog, too (PERSPECTIVE_CORRECTION_HINT)
 #if SPANGLE_OWN_TIERS
     bool own_tier = false; ///< `knobs` replaces the knobs of `tier`
     Knobs knobs{};         ///< must satisfy are_valid()
 #endif
     bool count = false; ///< count passing fragments in Counters::passed (costs time)
-    // What primitives bring along beside their planes (raster/span/primitive_state.hpp); Rasterizer has none.
+    // The next three members switch data that primitives have beside their planes
+    // (raster/span/primitive_state.hpp). A Rasterizer draws no primitives with such data.
     bool coverage = false;     ///< coverage goes into alpha, or an index: antialiasing (GL 1.3, 3.11)
     bool depth_offset = false; ///< a depth offset of polygons (GL 1.3, 3.5.5)
     const std::uint32_t* polygon_stipple = nullptr; ///< 32 rows, bit x: column x is drawn; null: off

@@ -134,14 +134,14 @@ inline constexpr bool has_indices = has_format(PixelFormat::index8),
                       has_narrow_formats = (color_formats & narrow_formats) != 0,
                       has_wide_formats = (color_formats & ~narrow_formats) != 0;
 
-/// The number systems of the chain (key.cpp): narrow surfaces and those of indices have the exact one in
-/// every tier, and no loops of their own.
+/// Whether some surfaces of this build are drawn by the chain only: narrow surfaces and those of indices.
+/// They have the exact number system in every tier (key.cpp), and no loops of their own.
 inline constexpr bool chain_only = (color_formats & (narrow_formats | index_formats)) != 0;
 /// Whether this build has the number system of the exact tier, and that of the faster ones.
 inline constexpr bool has_exact = chain_only || (tiers & 1) != 0, has_balanced = (tiers & 6) != 0;
 static_assert(has_chain || !chain_only, "narrow surfaces and those of indices are drawn by the chain");
 
-/// Returns `value`, as a constant where `set` has no other.
+/// Returns `value`. Where `set` has only one element, the result is that element, as a constant.
 template <class E> [[gnu::always_inline]] constexpr E one_of(unsigned set, E value) {
     return (set & (set - 1)) != 0 || set == 0 ? value : static_cast<E>(__builtin_ctz(set));
 }

@@ -42,7 +42,8 @@ class Rasterizer {
     /// Compiles the state for this surface.
     Rasterizer(const FragmentState& state, const Surface& surface);
 
-    /// Draws a triangle of either orientation. The provoking vertex gives the colour where state.flat.
+    /// Draws a triangle of either orientation. The provoking vertex gives the colour where
+    /// FragmentState::flat is set.
     void triangle(const FixedVertex& a, const FixedVertex& b, const FixedVertex& c,
                   const FixedVertex& provoking) const;
     /// Draws a triangle whose provoking vertex is the last one.

@@ -52,7 +52,7 @@ struct Knobs {
     /// The form of runs.
     Runs runs;
     /// Between two divisions coordinates are off by 2^-n texel of the base level at most: 0 to 13. Runs of
-    /// the shortest length are as far off as they are.
+    /// the shortest length may exceed this bound, because they are never divided further.
     std::uint8_t texel_bits;
     /// Straight runs have at least 2^n pixels: 0 to 6.
     std::uint8_t shortest_run;
