@@ -85,7 +85,7 @@ std::uint32_t cycles_time(std::uint64_t cycles, std::uint32_t hz) {
     return micros < forever ? static_cast<std::uint32_t>(micros) : forever;
 }
 
-/// Cycles of `bits` on the bus.
+/// The cycles that a bus needs for this number of bits.
 std::uint64_t bus_cycles(const BusCaps& caps, std::uint64_t bits) {
     const std::uint32_t width = caps.bits_per_cycle != 0 ? caps.bits_per_cycle : 1;
     return (bits + width - 1) / width;
@@ -125,7 +125,8 @@ struct BusWork {
 
 std::uint32_t wire_time(const BusCaps& caps, std::uint64_t bytes) {
     if (bytes >> 40 != 0)
-        return forever; // so many bits * 10^6 would not fit 63 bits
+        // cycles_time() multiplies by 10^6, and 2^43 bits times 10^6 would not fit 63 bits.
+        return forever;
     return cycles_time(bus_cycles(caps, bytes * 8), caps.write_hz);
 }
 

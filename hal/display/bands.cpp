@@ -32,7 +32,8 @@ void Bands::hand_over() {
     acquired_ = false;
 }
 
-/// What differs is what was drawn, and what the panel shows there outside of its clear value.
+/// The damage of a row joins two spans: what was drawn in the band, and what the panel shows there that is
+/// not its clear value.
 void Bands::collect(const RowExtents& drawn, RowSpan* damage) {
     const std::int16_t width = layout_.picture.width;
     const RowSpan all = {0, width};

@@ -164,7 +164,9 @@ Result<Frame> PanelDisplay::acquire_rows(std::int32_t first, std::int32_t rows) 
     if (pixels == nullptr)
         return Error{Fault::busy, "display: acquire while a late transfer still reads the band"};
     if (first == 0 && is_indexed(layout_.config.format) && book_memory().palette->any_stale()) {
-        bands_.forget(); // pixels of the new colours were drawn in buffers that are gone
+        // Pixels of an index whose colour has changed were drawn in earlier bands, which no buffer holds any
+        // more.
+        bands_.forget();
         book_memory().palette->all_fresh();
     }
     bands_.begin(first, rows);

@@ -41,7 +41,7 @@ Result<void> Presenter::send(const SentRows& rows, const RowSpan* damage, const 
         if (parts.count_ops == nullptr || !one_list(layout().config) || cost.window >= dearest_window ||
             parts.count_ops(*this, plan) + sync_ops <= transfer_.list().capacity())
             return send_windows(plan, parts);
-        cost.window = 2 * cost.window + 1; // plans with dearer windows have fewer of them
+        cost.window = 2 * cost.window + 1; // a plan in which windows cost more has fewer of them
     }
 }
 
@@ -140,7 +140,7 @@ std::size_t Presenter::pixel_ops(const Rect& window) const {
 
 /// Calls `visit` with each window as it will be sent, and the operations that open it.
 template <class Visit> void Presenter::rehearse(FramePlan& plan, Visit visit) const {
-    constexpr std::size_t most = 16; // above the commands of any window_size()
+    constexpr std::size_t most = 16; // more than the commands of any window
     Op ops[most];
     OpParams params[most];
     Windows windows = transfer_.windows();

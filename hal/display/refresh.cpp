@@ -19,7 +19,7 @@ std::int32_t SafeStart::slack_lines() const {
 
 std::int32_t SafeStart::first_line() const {
     std::int64_t first = earliest_ + refresh_.line - 1;
-    while (first < 0) // ends after at most two rounds: `first` is above -2 periods
+    while (first < 0) // at most two rounds: `first` is above -2 periods
         first += refresh_.period();
     return static_cast<std::int32_t>(first / refresh_.line % refresh_.lines);
 }

@@ -9,7 +9,8 @@
 
 namespace spangle::hal {
 
-/// What one frame buffer holds, or a panel shows: outside of these spans, the clear value.
+/// What a frame buffer holds, or what a panel shows. Pixels outside of the spans in `rows` have the clear
+/// value.
 struct PanelContent {
     /// An element for each row of the picture.
     RowSpan* rows = nullptr;

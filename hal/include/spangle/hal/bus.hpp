@@ -83,8 +83,8 @@ struct BusCaps {
     std::uint32_t max_transfer = 0; ///< most bytes of one operation; 0: there is no limit
     /// Overhead of one command operation beyond its bytes (D/C, ioctl, CS), in nanoseconds.
     std::uint32_t command_cost_ns = 0;
-    /// A transfer is given up after twice its expected time and this. It is long where other programs share
-    /// the processor: a transfer that is only late must not look like one that hangs.
+    /// A transfer is given up after twice its expected time plus this time. The time is long where other
+    /// programs share the processor: a transfer that is only late must not look like one that hangs.
     std::uint32_t late_us = 100000;
 };
 

@@ -17,8 +17,8 @@ namespace spangle::hal {
 ///   outside of it are the same on the panel and in the buffer that is sent.
 /// - Nothing is forgotten before it arrived. doubt() says that what is in damage() may not have arrived, and
 ///   trust() that it did; in between, collect() adds to it.
-/// - What a frame drew that was put off is held back, and restored by the next collect(), unless a full clear
-///   replaced it.
+/// - If a frame is put off, what it drew is held back, and restored by the next collect(), unless a full
+///   clear replaced it.
 /// - Where cells are hashed, reduce() takes out of the damage what was drawn again unchanged.
 /// - It reads pixels where hashes, colours or a turned picture ask for it, and sends none.
 class DamageBook {
@@ -44,7 +44,8 @@ class DamageBook {
     /// Whether anything was drawn since forget_drawn() or hold_back().
     bool drawn_since() const;
 
-    /// Sets aside what a frame drew that is put off, so that drawn_since() tells whether more is drawn.
+    /// Sets aside what the frame that is put off has drawn, so that drawn_since() tells whether more is
+    /// drawn.
     void hold_back();
     /// Whether a frame was put off and is still to be sent.
     bool owed() const { return owed_; }

@@ -12,7 +12,7 @@ namespace spangle::hal {
 
 namespace detail {
 
-/// Writes a program at compile time.
+/// Writes an initialisation program at compile time.
 struct ProgramWriter {
     std::array<std::uint8_t, 512> bytes{};
     std::size_t size = 0;

@@ -15,7 +15,8 @@ class ScanOut {
     /// The block reads at this address from its next blanking on. At most one address waits: a later one
     /// takes its place.
     virtual void show(const std::uint8_t* pixels) = 0;
-    /// The address that the refresh under way reads. It changes to the one that waits, and to no other.
+    /// The address that the refresh under way reads. It changes only at a blanking, to the address that
+    /// waits.
     virtual const std::uint8_t* scanned() const = 0;
     virtual std::uint32_t micros() = 0; ///< microseconds, which wrap at 2^32
     /// Writes what a data cache holds of these bytes to memory. It is called before show().

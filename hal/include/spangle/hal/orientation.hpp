@@ -46,9 +46,10 @@ struct Placement {
     Offset offset;
 };
 
-/// MADCTL's MV, MX, MY of an orientation on a panel. Turning by 90 degrees exchanges the axes (MV), then
-/// mirrors the column axis (MX); mirroring the picture's x mirrors the axis that x runs along. The mount
-/// comes last, on the memory side.
+/// The bits MV, MX and MY of MADCTL for an orientation on a panel. Turning by 90 degrees exchanges the axes
+/// (MV), then mirrors the column axis (MX). Mirroring the picture's x mirrors the memory axis along which x
+/// runs. The bits of `mount` (PanelDesc::mount) are exchanged last, because they belong to the memory's own
+/// axes.
 constexpr std::uint8_t address_order(std::uint8_t mount, Orientation o) {
     constexpr std::uint8_t turned[] = {0, dcs::MV | dcs::MX, dcs::MX | dcs::MY, dcs::MV | dcs::MY};
     unsigned order = turned[static_cast<unsigned>(o.rotation) & 3u];
@@ -57,8 +58,9 @@ constexpr std::uint8_t address_order(std::uint8_t mount, Orientation o) {
     return static_cast<std::uint8_t>(order ^ mount);
 }
 
-/// Along a mirrored memory axis the window begins at memory - (glass + offset), along the other at offset, as
-/// it does where only the scan is turned round; MV exchanges the axes.
+/// Computes where a picture lies in memory. Along a mirrored memory axis the window begins at memory - (glass
+/// + offset). Along an axis that is not mirrored, or where only the scan is turned round, it begins at
+/// offset. MV exchanges the axes.
 constexpr Placement place(const PanelDesc& p, Orientation o) {
     const std::uint8_t order = address_order(p.mount, o);
     const int column = (order & dcs::MX) != 0 ? p.memory.width - (p.glass.width + p.offset.x) : p.offset.x;

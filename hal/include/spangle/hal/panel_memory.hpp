@@ -11,7 +11,7 @@
 
 namespace spangle::hal {
 
-/// The memory of a PanelDisplay's bookkeeping, handed over by its owner. All rows but those of the content
+/// The memory of a PanelDisplay's bookkeeping, handed over by its owner. All arrays of rows except `content`
 /// have `height` elements.
 struct PanelMemory {
     /// Touched columns of the frame being drawn.
@@ -35,17 +35,18 @@ struct PanelMemory {
     std::size_t op_count = 0;
     /// The memory of the [row hash](docs/glossary.md#row-hash), or none.
     RowHashMemory hash = {};
-    RowSpan* turned = nullptr;        ///< damage by rows of the turned buffer (PanelConfig::scan_order)
-    decltype(&turn) turner = nullptr; ///< turn(), which only displays that name it link
+    RowSpan* turned = nullptr; ///< damage by rows of the turned buffer (PanelConfig::scan_order)
+    /// The function turn(). A display that does not turn pictures never names it, and so does not link it.
+    decltype(&turn) turner = nullptr;
     RowSpan* held = nullptr;    ///< rows of a frame that was put off (Pacing::coalesce); null: it is dropped
     Palette* palette = nullptr; ///< the palette of surfaces of PixelFormat::index8
 };
 
 /// How much memory a PanelStorage has.
 struct PanelSizes {
-    /// Rows of pictures and sent buffers at most, or of [bands](docs/glossary.md#band).
+    /// The most rows of a picture and of a sent buffer, or of [bands](docs/glossary.md#band).
     std::int32_t height = 0;
-    /// Buffers at most: 1 or 2.
+    /// The most buffers: 1 or 2.
     std::uint8_t buffers = 1;
     /// Operations of a list. A longer list goes out in several transfers; frames that are tear-free or sent
     /// while the next is drawn are made of as few windows as one list holds.

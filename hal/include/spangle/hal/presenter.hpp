@@ -53,8 +53,8 @@ class Presenter {
     /// Acquires the memory of converted pixels from the bus, if the description asks for it, once.
     Result<void> acquire_wire();
 
-    /// Sends the damage, one span of columns a row. `hash`: where it is enabled, cells that changed. `parts`:
-    /// those that the display has.
+    /// Sends the damage, which is one span of columns for each row. Where `hash` is enabled, only the cells
+    /// in it that changed are sent. `parts` are the parts of the presenter that this display links.
     Result<void> send(const SentRows& rows, const RowSpan* damage, const RowHash& hash, const Parts& parts);
     /// Sends every pixel of the rows.
     Result<void> send_all(const SentRows& rows);

@@ -9,9 +9,9 @@
 
 namespace spangle::hal {
 
-/// How a picture lies in a buffer whose rows are rows of the memory, from the first scanned on: pixel (x, y)
-/// is in row y and column x, or with `swapped` in row x and column y; with `reversed` rows count from the
-/// last.
+/// How a picture lies in a buffer whose rows are rows of the memory, from the first scanned row on. Pixel (x,
+/// y) is in row y and column x. With `swapped` it is in row x and column y. With `reversed` rows count from
+/// the last one.
 struct ScanOrder {
     Placement placement; ///< placement of the buffer: MADCTL without MV and MY
     /// Whether the axes are exchanged, and whether rows count from the last.
@@ -19,7 +19,7 @@ struct ScanOrder {
 
     /// Whether the display needs a second buffer, into which pictures are turned.
     constexpr bool turns() const { return swapped || reversed; }
-    /// The buffer's row of the picture's row, or with `swapped` column, `along`.
+    /// Returns the buffer's row that holds row `along` of the picture or, with `swapped`, column `along`.
     constexpr std::int32_t row_of(std::int32_t along) const {
         return reversed ? placement.size.height - 1 - along : along;
     }
