@@ -129,7 +129,9 @@ class Reader {
             part.specular = {0.0f, 0.0f, 0.0f, 1.0f};
         if (m.Get(AI_MATKEY_OPACITY, value) == AI_SUCCESS)
             part.diffuse[3] = std::clamp(finite_or_zero(value), 0.0f, 1.0f);
-        if (part.diffuse[3] <= 0.0f) // exporters write 0 for opaque; nobody models what cannot be seen
+        // Some exporters write an opacity of 0 for opaque materials. A part that is meant to be invisible
+        // would not be exported.
+        if (part.diffuse[3] <= 0.0f)
             part.diffuse[3] = 1.0f;
         aiString name;
         if (m.GetTexture(aiTextureType_DIFFUSE, 0, &name) == AI_SUCCESS ||

@@ -14,7 +14,7 @@ constexpr OledCommand ssd1306_commands[] = {
     {0xE3, 1, 0},                                            // no operation
 };
 constexpr OledCommand sh1106_commands[] = {
-    {0x00, 32, 0}, {0x30, 4, 0}, {0x40, 64, 0}, {0x81, 1, 1}, // set column, pump, start line, contrast
+    {0x00, 32, 0}, {0x30, 4, 0}, {0x40, 64, 0}, {0x81, 1, 1}, // set column, charge pump, start line, contrast
     {0xA0, 2, 0},  {0xA4, 4, 0}, {0xA8, 1, 1},  {0xAD, 1, 1}, // set remap, all on, inverse, multiplex, DC-DC
     {0xAE, 2, 0},  {0xB0, 8, 0}, {0xC0, 1, 0},  {0xC8, 1, 0}, //
     {0xD3, 1, 1},  {0xD5, 1, 1}, {0xD9, 1, 1},  {0xDA, 2, 1}, //

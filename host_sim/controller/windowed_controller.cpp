@@ -9,8 +9,8 @@ constexpr OledCommand ssd1327_commands[] = {
     {0x15, 1, 2}, {0x75, 1, 2},                // set the window's columns and rows
     {0x2E, 2, 0}, {0x81, 1, 1},  {0xA0, 3, 1}, // scrolling off, on; set contrast; remap, start line, offset
     {0xA4, 4, 0}, {0xA8, 1, 1},  {0xAB, 1, 1}, // set normal, all on, all off, inverse; multiplex; regulator
-    {0xAE, 2, 0}, {0xB1, 1, 1},  {0xB3, 1, 1}, // display off, on; set phases, clock
-    {0xB6, 1, 1}, {0xB8, 1, 15}, {0xB9, 1, 0}, // set second precharge; grey table, the linear one
+    {0xAE, 2, 0}, {0xB1, 1, 1},  {0xB3, 1, 1}, // switch display off, on; set phases, clock
+    {0xB6, 1, 1}, {0xB8, 1, 15}, {0xB9, 1, 0}, // set second precharge, a grey table, the linear table
     {0xBC, 1, 1}, {0xBE, 1, 1},  {0xD5, 1, 1}, {0xFD, 1, 1},
 };
 constexpr OledCommand ssd0323_commands[] = {
@@ -29,10 +29,10 @@ constexpr OledCommand ssd1351_commands[] = {
 };
 constexpr OledCommand ssd1331_commands[] = {
     {0x15, 1, 2}, {0x75, 1, 2}, {0x21, 1, 7},  {0x22, 1, 10}, {0x23, 1, 6}, // set columns, rows; draw; copy
-    {0x24, 2, 4}, {0x26, 1, 1}, {0x27, 1, 5},  {0x2E, 2, 0}, // dim, clear a box; set fill; scrolling
+    {0x24, 2, 4}, {0x26, 1, 1}, {0x27, 1, 5},  {0x2E, 2, 0}, // dim, clear a box; switch filling, scrolling
     {0x81, 3, 1}, {0x87, 1, 1}, {0x8A, 3, 1},  {0xA0, 3, 1}, //
-    {0xA4, 4, 0}, {0xA8, 1, 1}, {0xAB, 1, 5},  {0xAC, 1, 0}, // AB, AC: dim mode
-    {0xAD, 1, 1}, {0xAE, 2, 0}, {0xB0, 1, 1},                // set supply, off, on, power save
+    {0xA4, 4, 0}, {0xA8, 1, 1}, {0xAB, 1, 5},  {0xAC, 1, 0}, // ABh sets and ACh enters dim mode
+    {0xAD, 1, 1}, {0xAE, 2, 0}, {0xB0, 1, 1},                // set supply; switch off, on, power save
     {0xB1, 1, 1}, {0xB3, 1, 1}, {0xB8, 1, 32}, {0xB9, 1, 0}, //
     {0xBB, 1, 1}, {0xBE, 1, 1}, {0xE3, 1, 0},  {0xFD, 1, 1},
 };

@@ -86,7 +86,8 @@ void XWindows::watch_connection() {
         const std::lock_guard<std::mutex> lock(known_mutex);
         XWindows& windows = *known_windows()[closed];
         windows.is_watched_ = false;
-        windows.connection_ = closed_connection(); // windows current to other threads then get no answers
+        // Windows that are current to other threads stay open. Their requests get no answers from here on.
+        windows.connection_ = closed_connection();
         return 0;
     });
 }

@@ -21,7 +21,8 @@ struct Setting {
 struct Measured {
     PictureError error;     ///< errors of covered pixels in all frames, against double in the same format
     double psnr_to_888 = 0; ///< dB, of the last frame, against double in eight bits: tier and format together
-    double perceived = 0;   ///< 0 .. 1, of the last frame, against double in eight bits
+    /// How different the last frame looks from double in eight bits, 0 .. 1 (perceived.hpp).
+    double perceived = 0;
     std::uint64_t off_own = 0;     ///< pixels whose coverage differs from brute force on the snapped vertices
     std::uint64_t off_snapped = 0; ///< pixels whose coverage differs from that of double, ideally snapped
     std::uint64_t off_unsnapped = 0; ///< pixels whose coverage differs from that of vertices in double
