@@ -33,7 +33,7 @@ void PolygonMode(Context& context, GLenum face, GLenum mode) {
         context.polygon.mode[0] = mode;
     if (face != GL_FRONT)
         context.polygon.mode[1] = mode;
-    // Whether polygons have coverage values depends on the mode.
+    // Whether the fragments of polygons have coverage depends on the polygon mode.
     context.changed(dirty_fragment);
 }
 #endif
