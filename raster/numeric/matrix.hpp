@@ -176,7 +176,8 @@ template <int N> constexpr Element sum_of_products(const Element (&a)[N], const 
     return sum_of_products(a, b, N);
 }
 
-/// Whether this is column j of the identity, followed by zeros. Then a times the column is column j of a.
+/// Whether the n elements of `column` are column j of the identity, with zeros for the rest. A matrix times
+/// such a column is column j of that matrix.
 SPANGLE_INLINE constexpr bool is_unit(const Element* column, int n, int j) {
     std::int32_t others = 0;
     for (int k = 0; k < n; ++k)
