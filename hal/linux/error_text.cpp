@@ -16,7 +16,9 @@ Fault fault_of(DeviceClass kind, int error) {
         return Fault::busy;
     case ETIMEDOUT:
     case EAGAIN:
-    case EINTR: // retry_interrupted() has retried both until its patience ended
+    // retry_interrupted() repeats calls that end with EAGAIN or EINTR. One that ends so even then took too
+    // long.
+    case EINTR:
         return Fault::timeout;
     case ENXIO: // means "no acknowledge" from an I2C adapter (Linux, i2c/fault-codes)
         return kind == DeviceClass::i2c ? Fault::no_answer : Fault::gone;

@@ -11,7 +11,7 @@ namespace {
 enum : std::uint32_t { clock_line = 1u << 0, dc_line = 1u << 1 };
 
 bool reads_memory(std::uint8_t command) {
-    return command == dcs::RAMRD || command == dcs::RAMRD + 0x10; // the second is RAMRDC, 3Eh
+    return command == dcs::RAMRD || command == dcs::RAMRD + 0x10; // 2Eh and 3Eh (RAMRDC)
 }
 
 /// Which bits of the control request CS, RD and the first data line are.

@@ -97,7 +97,7 @@ Result<void> SpidevBus::open_rest() {
     stage_.assign(kernel_bufsiz(), 0);
     if (packed_)
         stage_.resize(stage_.size() - stage_.size() % packed_unit);
-    constexpr std::size_t whole_pixels = 6; // whole pixels both of two bytes and of three
+    constexpr std::size_t whole_pixels = 6; // 6 bytes hold whole pixels of two bytes and of three
     longest_ = config_.start_bytes ? 1 + (stage_.size() - 1) / whole_pixels * whole_pixels : stage_.size();
     staged_ = bit_count_ = 0;
     dc_level_ = -1;

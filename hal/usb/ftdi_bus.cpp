@@ -21,8 +21,9 @@ constexpr UsbId known_ids[] = {{0x0403, 0x6014}, {0x0403, 0x6010}, {0x0403, 0x60
 constexpr std::size_t stage_bytes = 32768;
 constexpr std::size_t burst_header = 3;
 
-/// What a command costs: levels, burst header and byte, and the same for its parameters. The engine takes
-/// this long for them at high speed, where 12 bytes are a third of a microsecond.
+/// The time that a command costs at high speed. The stream carries levels, a burst header and a byte for the
+/// command, and the same for its parameters. 12 bytes take a third of a microsecond, and the engine needs
+/// some time to execute them.
 constexpr std::uint32_t command_cost_ns = 500;
 
 /// Every packet begins with two bytes of modem status (AN_135).
@@ -232,7 +233,7 @@ Result<void> FtdiBus::Engine::start() {
         return r;
     if (const auto r = set_clock(config.write_hz); !r)
         return r;
-    sent_levels = ~levels; // so that the next command sends all levels
+    sent_levels = ~levels; // unequal to `levels`, so that set_levels() sends all of them
     if (const auto r = set_levels(levels); !r)
         return r;
     return wait_for_wire();

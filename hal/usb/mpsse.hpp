@@ -7,13 +7,13 @@
 namespace spangle::hal::mpsse {
 
 enum Command : std::uint8_t {
-    WRITE_BYTES = 0x11, ///< then count - 1 in 16 bits, low byte first, and the bytes (3.3.2)
-    READ_BYTES = 0x20,  ///< then count - 1 in 16 bits, low byte first (3.3.5)
-    SET_LOW = 0x80,     ///< then levels and directions of ADBUS, where 1 is an output (3.6.1)
+    WRITE_BYTES = 0x11, ///< followed by count - 1 in 16 bits, low byte first, and by the bytes (3.3.2)
+    READ_BYTES = 0x20,  ///< followed by count - 1 in 16 bits, low byte first (3.3.5)
+    SET_LOW = 0x80,     ///< followed by levels and directions of ADBUS, where 1 is an output (3.6.1)
     GET_LOW = 0x81,
-    SET_HIGH = 0x82, ///< then levels and directions of ACBUS
+    SET_HIGH = 0x82, ///< followed by levels and directions of ACBUS
     LOOPBACK_OFF = 0x85,
-    SET_DIVISOR = 0x86,    ///< then 16 bits; the clock is 60 MHz / ((1 + divisor) * 2) (3.8.1)
+    SET_DIVISOR = 0x86,    ///< followed by 16 bits; the clock is 60 MHz / ((1 + divisor) * 2) (3.8.1)
     SEND_IMMEDIATE = 0x87, ///< sends at once what the host may read
     WAIT_HIGH = 0x88,      ///< waits until ADBUS5 is high (3.7)
     WAIT_LOW = 0x89,

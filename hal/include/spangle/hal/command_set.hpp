@@ -14,11 +14,11 @@ namespace spangle::hal {
 struct Axis {
     /// How the first and last number of an axis are encoded.
     enum class Code : std::uint8_t {
-        pair16,    ///< the command, first and last with high bytes first
-        pair8,     ///< the command, first, last
-        registers, ///< four commands from this one on, a parameter each: first high, low, last high, low
-        nibbles,   ///< low nibble of the first in the command, then the high one in the command 10h further
-        in_command ///< a single number in the command itself: a window has one row or page
+        pair16,    ///< the command, then the first and the last number, high bytes first
+        pair8,     ///< the command, then the first and the last number, a byte each
+        registers, ///< four commands from `command` on, each with one byte: first high, low, last high, low
+        nibbles,   ///< two commands with nibbles of the first number: the low one, 10h further the high one
+        in_command ///< a single number, in the command itself: a window has one row or page
     };
     /// How the two numbers are encoded.
     Code code = Code::pair16;

@@ -62,7 +62,7 @@ class DamageBook {
     /// Widens the damage of `rows` rows, so that pixels that share bytes share the damage.
     void widen(Extent shared, std::int32_t rows);
 
-    /// What is collected, by rows of the picture.
+    /// The damage that collect() has found, by rows of the picture.
     RowSpan* damage() const { return memory_.damage; }
     /// The damage of the buffer that is sent, by its rows.
     RowSpan* sent_damage() const { return layout_.turns() ? memory_.turned : memory_.damage; }

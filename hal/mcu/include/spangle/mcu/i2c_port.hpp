@@ -1,6 +1,6 @@
 // A display on I2C: a control byte stands for D/C (SSD1306 datasheet, 8.1.5).
 //
-// PolledBus has a port, FrameDisplay the wires themselves.
+// PolledBus takes a port, and FrameDisplay takes the wires themselves.
 // `I2c` has begin(address, byte), write(byte) and end(byte), `Timer` has pause(micros).
 #pragma once
 

@@ -1,6 +1,6 @@
 // A display on SPI, as its lines are wired: with a D/C line, or with start bytes.
 //
-// PolledBus has a port, FrameDisplay the wires themselves.
+// PolledBus takes a port, and FrameDisplay takes the wires themselves.
 // `Spi` has write(bytes, count) and read(), `Pin` has set(high), `Timer` has pause(micros).
 #pragma once
 
