@@ -86,7 +86,7 @@ class Quantizer {
             given += n * n;
             kept += k * k;
         }
-        if (!(given > 0.0) || !(kept > 0.0)) // a normal without a direction has none to lose
+        if (!(given > 0.0) || !(kept > 0.0)) // a normal without a direction has no error
             return;
         const double cosine = std::clamp(dot / std::sqrt(given * kept), -1.0, 1.0);
         report_.normal_error = std::max(report_.normal_error, std::acos(cosine) * 180.0 / std::numbers::pi);
@@ -256,7 +256,8 @@ BakedMesh bake_mesh(const cli::Model& model, const MeshOptions& options) {
     // GL is given the steps as floats, so errors are measured with the floats.
     const auto as_float = [](double step) {
         const auto kept = static_cast<float>(step);
-        return kept > 0.0f ? static_cast<double>(kept) : 1.0; // a step below every float: all are 0
+        // A step too small for any float belongs to numbers that are all 0.
+        return kept > 0.0f ? static_cast<double>(kept) : 1.0;
     };
     mesh.position_step = as_float(mesh.position_step);
     mesh.texcoord_step = as_float(mesh.texcoord_step);

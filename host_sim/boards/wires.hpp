@@ -68,7 +68,8 @@ class WiredPanel {
     std::unique_ptr<Controller> controller_;
     std::vector<WireEvent> events_;
     std::size_t next_ = 0;
-    Time current_time_ = 1000000; ///< ns; power-on was a while ago
+    /// In ns since power-on, which was a millisecond before the first event.
+    Time current_time_ = 1000000;
     bool is_selected_ = false, is_data_ = false, is_started_ = false;
     std::uint64_t payload_ = 0;
 };

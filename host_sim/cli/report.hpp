@@ -55,7 +55,7 @@ struct Report {
     std::uint64_t full_frame_bytes = 0;           ///< bytes of one whole frame on the bus, without commands
     double fps_at_bus_clock = 0.0;                ///< frames a second; 0 without a board
     double virtual_fps = 0.0;                     ///< frames a second of drawing and sending, in virtual time
-    std::optional<double> measured_fps;           ///< frames a second of a real display, all included
+    std::optional<double> measured_fps;           ///< frames a second of a real display, drawing included
     std::optional<hal::PresentCounters> presents; ///< set when the command line said how to present
     std::string picture_hash;                     ///< hash of the last frame's picture
     std::optional<Memory> memory;                 ///< set with the option --stats

@@ -154,7 +154,8 @@ Bool release() {
     const std::lock_guard<std::recursive_mutex> guard(lock());
     if (current.context == nullptr)
         return True;
-    if (eglReleaseThread() == EGL_FALSE) { // names no display, because the connection may be closed
+    // This call names no display, because the connection may be closed.
+    if (eglReleaseThread() == EGL_FALSE) {
         report_refusal(current.display, Request::make_current, 0);
         return False;
     }

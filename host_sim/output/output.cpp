@@ -14,7 +14,7 @@ namespace spangle::sim {
 namespace {
 
 constexpr std::size_t most_kept = std::size_t{1} << 16;
-constexpr int most_links = 40; // the kernel follows as many
+constexpr int most_links = 40; // the kernel follows as many symbolic links
 
 std::string folder_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');
@@ -178,7 +178,7 @@ bool Output::flush() {
 int Output::take_place() {
     struct stat old {};
     const bool exists = stat(target_.c_str(), &old) == 0;
-    if (exists && !S_ISREG(old.st_mode)) // something else took the name meanwhile
+    if (exists && !S_ISREG(old.st_mode)) // another process made something else of that name
         return EEXIST;
     if (exists) {
         // A user who may write a file need not be able to give it away. In that case the file is the user's

@@ -104,9 +104,10 @@ std::size_t Recorder::place_of(const raster::Key& key) {
     return record_.keys.size() - 1;
 }
 
-/// Notes the key of one flat colour. A surface in whose place another is recorded may lack the span that the
-/// other has for one colour. How many pixels that span would draw is not known, so the key counts as needed:
-/// with dithering, a smooth span may draw other bytes.
+/// Notes the key of a draw in one flat colour. The recorder may note keys for other formats than the one that
+/// the program draws in. Then the surface that draws may lack a span for one colour, and the recorded format
+/// may have one. How many pixels that span would draw is unknown, so its key counts as needed: with
+/// dithering, a smooth span may draw other bytes.
 void Recorder::keep_one_color(const raster::FragmentState& fragment, const raster::Surface& surface,
                               const raster::DrawState& state) {
     const raster::Key key = raster::make_key(fragment, surface, Kind::flat);
