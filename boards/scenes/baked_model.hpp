@@ -2,7 +2,7 @@
 // from memory, with the same calls.
 #pragma once
 
-#include "boards/scenes/model_view.hpp" // first, because it names the GL that the model is drawn with
+#include "boards/scenes/model_view.hpp" // comes first, because it names the GL that draws the model
 
 #include <spangle/baked.hpp>
 

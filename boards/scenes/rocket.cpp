@@ -1,6 +1,6 @@
 // BAKED: a lit, textured model that lies in flash as `spangle bake` wrote it. It is small enough for boards
 // with a few kilobytes of memory.
-#include "boards/scenes/gl.hpp" // first, because the model is drawn with the GL that it names
+#include "boards/scenes/gl.hpp" // this header comes first, because it names the GL that draws the model
 
 #include "boards/scenes/models/rocket.hpp"
 #include "boards/scenes/scene.hpp"

@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
     EGLint count = 0, wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_DEPTH_SIZE, 16, EGL_NONE};
     EGLConfig config = nullptr;
     if (!eglInitialize(display, nullptr, nullptr) || !eglChooseConfig(display, wish, &config, 1, &count))
-        return 1; // a message told why
+        return 1; // a message has told why
     const EGLSurface window = eglCreateWindowSurface(display, config, 0, nullptr);
     eglMakeCurrent(display, window, window, eglCreateContext(display, config, nullptr, nullptr));
     glMatrixMode(GL_PROJECTION), glFrustum(-1, 1, -0.5, 0.5, 1.5, 10), glMatrixMode(GL_MODELVIEW);

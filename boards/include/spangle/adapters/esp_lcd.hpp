@@ -194,7 +194,7 @@ class EspLcdBus final : public hal::Bus {
         const esp_err_t code = esp_lcd_panel_io_tx_color(config_.io, pending_, data, bytes);
         pending_ = no_command;
         if (code != ESP_OK)
-            queued_.fetch_sub(1); // nobody will call back
+            queued_.fetch_sub(1); // this transfer has no callback
         return checked("esp_lcd: transmit pixels", code);
     }
 
