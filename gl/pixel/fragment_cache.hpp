@@ -15,10 +15,10 @@ enum class PrimitiveKind : std::uint8_t { points, lines, polygons, pixels };
 
 struct FragmentCache {
     bool count_passed = false;
-    PrimitiveKind drawn = PrimitiveKind::pixels; ///< kind of primitive that this was compiled for
+    PrimitiveKind drawn = PrimitiveKind::pixels; ///< kind of primitive that `state` was compiled for
     bool differs = false;                        ///< the compiled form depends on the kind of primitive
-    raster::Colors colors{};                     ///< source of colours that this was compiled for
-    std::uint32_t texture_changes = 0;           ///< ShareGroup::texture_changes when this was compiled
+    raster::Colors colors{};                     ///< source of colours that `state` was compiled for
+    std::uint32_t texture_changes = 0;           ///< ShareGroup::texture_changes when `state` was compiled
     raster::Counters* counters = nullptr;
     raster::PrimitiveState primitive; ///< per-primitive state that `state` and `back` refer to
     raster::DrawState state;

@@ -472,7 +472,7 @@ void FixedLighting::light_with_all_terms(const Real (&normal)[3], const numeric:
     Sum primary[3], specular[3] = {0, 0, 0};
     for (int c = 0; c < 3; ++c)
         primary[c] = std::int64_t{fold.base[c]} * (1 << (sum_bits - intensity_bits));
-    numeric::Block3 to_eye; // this is the vector from the vertex to the eye
+    numeric::Block3 to_eye; // the vector from the vertex to the eye
     if (needs_eye())
         to_eye =
             numeric::negate(numeric::mul(numeric::xyz(eye), numeric::reciprocal(numeric::component(eye, 3))));

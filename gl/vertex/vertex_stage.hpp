@@ -186,7 +186,7 @@ void VertexStage<M>::record_vertex_reach(const CurrentState& current, const Vert
             reach(context, Range::TEXTURE_BITS, bits_before_point(strq[c]));
         divides = divides || !(strq[3] == numeric::one);
     }
-    if constexpr (raster::has_perspective) // else a division is an error, which is reported elsewhere
+    if constexpr (raster::has_perspective) // without perspective, dividing is an error elsewhere
         reach(context, Range::PERSPECTIVE, divides ? 1 : 0);
 }
 
