@@ -306,7 +306,7 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
             chain.template choose<StoreDithered<N, Format>, Store<N, Format>>(key.dither && !key.coarse);
 }
 
-/// Adds the output stages for the one of these formats that the key names.
+/// Adds the output stages for the format that the key names, which is one of `Format`.
 template <class N, PixelFormat... Format> void add_wide_output(ChainBuilder<N>& chain, const Key& key) {
     const auto add = [&]<PixelFormat F>() {
         if constexpr (has_format(F))

@@ -83,7 +83,7 @@ constexpr Real to_real(Element v) {
     return pack_real(v.m < 0, abs_u32(v.m), v.e + element_bias);
 }
 constexpr Block to_block(Element v) {
-    if (wide_words && abs_u32(v.m) >> 30 != 0) { // this branch is only faster
+    if (wide_words && abs_u32(v.m) >> 30 != 0) { // this branch only saves time
         const std::int32_t half = (v.m >> 1) + (v.m & 1);
         return {half > block_max ? block_max : half, v.e + element_bias + 1};
     }
@@ -229,7 +229,7 @@ SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix&
         column[i] = rest[i - half];
     if (runs_inline && is_unit(column, n, j)) // a faster way to the same result
         return;
-    if (wide_words && half == 4) // this branch is only faster
+    if (wide_words && half == 4) // this branch only saves time
         return multiply_sparse_column(a, b, j, r);
     for (int i = 0; i < 4; ++i) {
         Element row[6];

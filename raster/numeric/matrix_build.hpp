@@ -102,7 +102,7 @@ namespace detail {
 
 /// a[i] b[k] - b[i] a[k]. Both products are below 2^60 and exact before the subtraction.
 SPANGLE_RUN_CALL constexpr Block determinant2(const Block* a, const Block* b, int i, int k) {
-    // This branch only saves time.
+    // This branch only saves time; the result is the same.
     if (wide_words && (a[i].m == 0 || b[k].m == 0) && (b[i].m == 0 || a[k].m == 0))
         return {};
     return sum(mul_s32(a[i].m * 2, b[k].m * 2), a[i].e + b[k].e - 2, mul_s32(b[i].m * 2, a[k].m * -2),

@@ -112,8 +112,8 @@ struct ExactLanes {
     /// (k one + more) / Most, rounded down. one / Most is taken as a whole number and a rest.
     template <std::uint32_t Most> SPANGLE_INLINE static T step(const T& k, std::uint32_t more) {
         constexpr std::uint32_t whole = one / Most, rest = one % Most;
-        // This is (k rest + more) / Most. For numerators below Most (Most + 1) an inverse with 20 fraction
-        // bits is exact.
+        // The second term is (k rest + more) / Most. For numerators below Most (Most + 1) an inverse with 20
+        // fraction bits is exact.
         constexpr std::uint32_t inverse = ((1u << 20) + Most - 1) / Most;
         return k * whole + (((k * rest + L::splat32(more)) * inverse) >> 20);
     }

@@ -20,7 +20,8 @@ struct RunLimits {
           longest(of_straight_tier<[](const Knobs& k) { return std::int32_t{k.longest_run}; }>(draw)),
           margin(of_straight_tier<[](const Knobs& k) { return 256 * k.texel_bits - 506; }>(draw)) {
         const auto& wraps = draw.wraps[unit];
-        // Coordinates that do not wrap saturate, and only runs of at most 64 pixels do this right.
+        // Coordinates that do not wrap saturate. Runs of more than 64 pixels would interpolate them wrongly
+        // where they do.
         if (longest > CoordRuns::max_log2 && !(wraps.s && wraps.t))
             longest = CoordRuns::max_log2;
     }

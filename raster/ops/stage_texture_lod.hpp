@@ -110,7 +110,7 @@ class LevelOfDetail {
     bool shares_logarithm_;            ///< both sizes are powers of two, so one logarithm serves both axes
     int log2_aspect_;                  ///< log2 of height / width
     std::int32_t bias_u_, bias_v_ = 0; ///< logarithms of the sizes, with 8 fraction bits
-    // These are set where levels vary.
+    // The next members are set only where levels vary.
     Plane q_, s_, t_;
     std::int32_t exponent_; ///< exponent of the coordinates, in 256ths
 

@@ -163,7 +163,7 @@ template <class N> class TextureCombine {
             return N::subtract(a, b);
         case CombineFunc::dot3_rgb:
         case CombineFunc::dot3_rgba:
-            break; // combine() computes all components of these functions at once
+            break; // combine() computes all components of DOT3 functions at once
         }
         return a;
     }

@@ -101,7 +101,7 @@ class SmallEdge {
     }
 
   private:
-    std::uint64_t position_, slope_; ///< both count modulo 2^64
+    std::uint64_t position_, slope_; ///< position and slope count modulo 2^64
 };
 
 inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
@@ -158,7 +158,7 @@ class LowEdge {
     SPANGLE_INLINE void step() { position_ += slope_; }
 
   private:
-    std::uint32_t position_, slope_; ///< both count modulo 2^32
+    std::uint32_t position_, slope_; ///< position and slope count modulo 2^32
 };
 
 /// An edge of at most 15 pixels, for processors whose divisions are calls (numeric::divides). It finds

@@ -9,7 +9,7 @@ namespace spangle::raster {
 
 struct LineStipple {
     std::uint32_t pattern = 0xFFFF, factor = 1; ///< pattern has 16 bits, factor is 1 .. 256
-    std::uint32_t position = 0; ///< s of the specification for the next fragment, modulo 16 factor
+    std::uint32_t position = 0; ///< s of the specification for the next fragment, modulo 16 * factor
 
     bool at(std::uint32_t s) const { return (pattern >> (s / factor & 15) & 1) != 0; }
     void advance(std::uint32_t fragments) { position = (position + fragments) % (16 * factor); }

@@ -19,11 +19,11 @@ struct PrimitiveState {
     /// Coverage of the pixels of the current row, from its first drawn pixel on. Null means that all pixels
     /// are covered fully.
     const std::uint32_t* coverage = nullptr;
-    /// Added to the depth of each fragment, which is then clamped (GL 1.3, 3.5.5). 2^32 is the whole range of
-    /// depths minus one code.
+    /// Added to the depth of each fragment, which is then clamped (GL 1.3, 3.5.5). The whole range of depths
+    /// is 2^32 minus one code.
     std::int64_t depth_offset = 0;
 #ifndef SPANGLE_FIRMWARE
-    double reference_depth_offset = 0; ///< the same offset in the double policy, where 1 is the whole range
+    double reference_depth_offset = 0; ///< depth_offset in the double policy, where the whole range is 1
 #endif
     bool stippled = false; ///< FragmentState::polygon_stipple applies
     /// The primitive has coverage, even where `coverage` is null. Other primitives of the same state have

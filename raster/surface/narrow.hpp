@@ -36,8 +36,8 @@ NarrowColor narrow_color(PixelFormat format, std::uint32_t word);
 /// bits of a grey.
 std::uint32_t narrow_open(PixelFormat format, std::uint32_t mask);
 
-/// k / max in colour units, for the maxima of these formats. It is rounded down by less than dithering can
-/// tell, so that k is stored again.
+/// The component k / max in colour units, where `max` is that of a narrow format. It is rounded down by less
+/// than dithering can tell, so that k is stored again.
 constexpr std::uint32_t narrow_units(std::uint32_t k, std::uint32_t max) {
     const std::uint32_t step = max == 63   ? color_one / 63
                                : max == 15 ? color_one / 15

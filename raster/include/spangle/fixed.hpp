@@ -290,7 +290,7 @@ constexpr std::int64_t arc_cosine(fixed v) {
     constexpr std::int64_t one = fixed::one_bits;
     const std::int64_t x = v.bits > one ? one : v.bits < -one ? -one : v.bits;
     const auto square = static_cast<std::uint64_t>(one * one - x * x); // sin^2, Q.32
-    return angle(integer_sqrt(square << 28), x << 14);                 // both arguments are Q.30
+    return angle(integer_sqrt(square << 28), x << 14);                 // angle() takes both in Q.30
 }
 } // namespace fixed_detail
 

@@ -11,9 +11,10 @@
 #ifndef SPANGLE_OWN_TIERS
 #define SPANGLE_OWN_TIERS 0
 #endif
-/// Keys say whether the runs of coordinates are those of the number system (has_mixed_runs).
+/// State keys name the runs of coordinates where they may be those of another tier than the number system
+/// (has_mixed_runs).
 #if SPANGLE_OWN_TIERS || defined(SPANGLE_KNOBS)
-/// Whether keys name the runs of coordinates.
+/// Whether state keys name the runs of coordinates.
 #define SPANGLE_MIXES_RUNS 1
 #else
 #define SPANGLE_MIXES_RUNS 0
