@@ -27,7 +27,7 @@ gpiod_chip* open_label(const char* label) {
         name_chip(path, n);
         gpiod_chip* const chip = open_path(path);
         if (chip == nullptr && errno != ENOENT)
-            return nullptr; // this chip may have the label, but cannot be read
+            return nullptr; // a chip that cannot be read may have the label
         if (chip == nullptr)
             continue;
         if (std::strcmp(gpiod_chip_label(chip), label) == 0)

@@ -42,7 +42,7 @@ Chip open_label(const char* label) {
         name_chip(path, n);
         Chip chip = open_path(path);
         if (!chip && errno != ENOENT)
-            return nullptr; // this chip may have the label, but cannot be read
+            return nullptr; // a chip that cannot be read may have the label
         if (!chip)
             continue;
         const ChipInfo info(gpiod_chip_get_info(chip.get()));

@@ -28,8 +28,8 @@ class UsbLink {
     UsbLink(const UsbLink&) = delete;
     UsbLink& operator=(const UsbLink&) = delete;
 
-    /// Opens the first of these devices that has a vendor interface and a bulk output that can be claimed. A
-    /// kernel driver lets go of it until close().
+    /// Opens the first device of these IDs that has a vendor interface and a bulk output that can be claimed.
+    /// A kernel driver lets go of it until close().
     Result<void> open(const UsbId* ids, std::size_t count, int interface = any_interface);
     /// Opens the device behind this usbfs file.
     Result<void> open_file(const char* path, int interface = any_interface);

@@ -77,7 +77,7 @@ constexpr std::size_t bus_memory(const Board& board) {
 /// The memory of bus_memory() for the bus of one board: `static BusMemoryOf<my_board> frames;`
 template <const Board& board> class BusMemoryOf {
   public:
-    /// This memory, as the constructor of a bus takes it.
+    /// The memory, as the constructor of a bus takes it.
     Buffer buffer() { return {bytes_, sizeof bytes_}; }
 
   private:

@@ -36,7 +36,7 @@ struct PanelConfig {
     bool scan_order = false;
     /// What a present does while the frame before is on the wire.
     Pacing pacing = Pacing::block;
-    bool row_hash = false; ///< does not send cells of 16x1 pixels that were drawn again unchanged
+    bool row_hash = false; ///< cells of 16x1 pixels that were drawn again unchanged are not sent
     /// Rows that a buffer holds, where memory holds no whole picture: frames are drawn
     /// [band](docs/glossary.md#band) by band, and with two buffers, or another format on the wire, a band is
     /// drawn while the one above it is on the wire. 0: whole frames.

@@ -29,7 +29,7 @@ struct PanelMemory {
     std::uint8_t buffers = 0;
     /// Memory for the operations of one list.
     Op* ops = nullptr;
-    /// Memory for the parameters of that list.
+    /// Memory for the parameters of one list.
     OpParams* params = nullptr;
     /// The number of elements of `ops` and of `params`.
     std::size_t op_count = 0;
@@ -86,7 +86,7 @@ template <PanelSizes sizes> struct PanelStorage {
     /// The memory of PanelMemory::palette.
     PaletteStorage<sizes.indexed> palette;
 
-    /// This memory, for the constructor of a PanelDisplay. The storage must outlive the display.
+    /// The memory, as the constructor of a PanelDisplay takes it. The storage must outlive the display.
     PanelMemory memory() {
         return {touched,
                 damage,

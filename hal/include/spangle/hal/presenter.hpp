@@ -43,7 +43,8 @@ class Presenter {
         /// Counts the operations of a plan, for frames that are one list.
         std::size_t (*count_ops)(const Presenter&, FramePlan&) = nullptr;
     };
-    /// The parts that a display calls whose frames wait for the beam, or must be one list.
+    /// The parts of a presenter. `waits_for_beam`: the display's frames wait for the beam. `is_one_list`:
+    /// each frame must be one list.
     static constexpr Parts parts(bool waits_for_beam, bool is_one_list);
 
     /// All arguments must outlive the presenter. Of `memory` it uses the plan, the palette and the code of

@@ -65,7 +65,7 @@ class Transfer {
     Result<void> run();
     /// Whether a list was started and is not known to have ended.
     bool in_flight() const { return in_flight_; }
-    /// Whether that list has missed its deadline; what it reads may have changed since.
+    /// Whether the list that was started last has missed its deadline. What it reads may have changed since.
     bool late() const { return late_; }
     /// Whether the wire is busy at this moment.
     bool busy() const { return in_flight_ && !bus_.done(token_); }

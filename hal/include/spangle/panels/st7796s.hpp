@@ -22,8 +22,8 @@ enum : unsigned {
 
 /// The registers that ST7796S modules need after reset.
 inline constexpr auto setup = init_program(
-    cmd(CSCON, 0xC3),                                          // unlocks command table 2, with the next
-    cmd(CSCON, 0x96),                                          // the second half of the key
+    cmd(CSCON, 0xC3),                                          // first half of a key: unlocks command table 2
+    cmd(CSCON, 0x96),                                          // second half of the key
     cmd(INVTR, 0x01),                                          // one-dot inversion
     cmd(DISCTRL, 0x80, 0x22, 0x3B),                            // scans 480 lines
     cmd(DOCA, 0x40, 0x8A, 0x00, 0x00, 0x29, 0x19, 0xA5, 0x33), //

@@ -38,11 +38,12 @@ class TransferBus : public Bus {
     /// After Fault::timeout the list is still under way. Outcomes of the last 16 lists are remembered.
     Result<void> wait(Token token, std::uint32_t timeout_micros) final;
 
-    /// A bus with the backlight on its own wire: Fault::busy while a list is under way.
+    /// Switches a backlight that has a wire of its own. Fault::busy: a list is under way.
     Result<void> backlight(bool on);
 
   protected:
-    /// BusCaps::late_us of these buses: a thread may wait for a processor, a kernel for its worker.
+    /// The value of BusCaps::late_us on hosts. A thread may wait for a processor, and a kernel for its
+    /// worker.
     static constexpr std::uint32_t late_us = 1000000;
 
     /// What a byte that is sent means to the controller.

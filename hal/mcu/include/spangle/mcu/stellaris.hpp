@@ -57,7 +57,7 @@ inline void turn_on(std::uintptr_t clocks, std::uint32_t bits) {
 inline void run_at_12500_khz() {
     constexpr std::uint32_t divide_by_16 = 15u << 23, use_divider = 1u << 22, bypass_pll = 1u << 11,
                             crystal_6_mhz = 0xBu << 6, pll_locked = 1u << 6;
-    reg(clock_config) = divide_by_16 | bypass_pll | crystal_6_mhz; // also powers the PLL up
+    reg(clock_config) = divide_by_16 | bypass_pll | crystal_6_mhz; // this write powers the PLL up, too
     reg(clock_config) = divide_by_16 | use_divider | bypass_pll | crystal_6_mhz;
     while ((reg(raw_interrupts) & pll_locked) == 0) {
     }

@@ -22,7 +22,7 @@ inline void turn_on(std::uint32_t ahb1, std::uint32_t apb2) {
 inline bool run_at_168_mhz(std::uint32_t mhz) {
     constexpr std::uintptr_t cr = rcc + 0x00, pllcfgr = rcc + 0x04, cfgr = rcc + 0x08;
     constexpr std::uint32_t hse_on = 1u << 16, hse_ready = 1u << 17, pll_on = 1u << 24, pll_ready = 1u << 25;
-    constexpr std::uint32_t longest = 100000; // so many polls take some 50 ms at 16 MHz
+    constexpr std::uint32_t longest = 100000; // 100000 polls take some 50 ms at 16 MHz
     const auto ready = [](std::uintptr_t at, std::uint32_t mask, std::uint32_t value) {
         for (std::uint32_t i = 0; i < longest; ++i)
             if ((reg(at) & mask) == value)

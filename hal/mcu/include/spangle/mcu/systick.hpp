@@ -31,7 +31,7 @@ struct SysTick {
             micros -= step;
             reg(control) = 0;
             reg(reload) = ticks_of(step);
-            reg(current) = 0; // also clears reached_zero
+            reg(current) = 0; // this write clears reached_zero, too
             reg(control) = enable | processor_clock;
             while ((reg(control) & reached_zero) == 0) {
             }
