@@ -20,7 +20,7 @@ struct Choice {
 
 struct Profile {
     std::vector<std::string> features;                       ///< names of the features that are on
-    std::vector<std::pair<std::string, std::string>> limits; ///< names and values that differ from the usual
+    std::vector<std::pair<std::string, std::string>> limits; ///< limits that differ from the usual, by name
     std::vector<raster::Key> fused;
     bool chain = true;
 };

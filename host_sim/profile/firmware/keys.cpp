@@ -30,7 +30,7 @@ struct Watched {
     std::uint32_t key[kind_count];
 };
 
-KeyFigures drawn[most_keys]; ///< the first has no key: it counts a call that draws nothing
+KeyFigures drawn[most_keys]; ///< the first entry has no key: it counts a call that draws nothing
 std::uint32_t keys = 1;
 Watched watched[most_states];
 bool on;
