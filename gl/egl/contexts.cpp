@@ -220,7 +220,8 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
     {
         const Registry registry;
         begin_call(SPANGLE_TEXT("eglMakeCurrent"));
-        if (ctx == EGL_NO_CONTEXT) { // a display that is not initialised allows this, too (EGL 1.4, 3.7.3)
+        if (ctx == EGL_NO_CONTEXT) { // releasing is allowed on a display that is not initialised (EGL 1.4,
+                                     // 3.7.3)
             if (find_entry(dpy) == nullptr)
                 return EGL_FALSE;
             if (draw != EGL_NO_SURFACE || read != EGL_NO_SURFACE)

@@ -167,7 +167,7 @@ void copy(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, Con
     const RectangleOrder order = moves ? order_of(context, source) : RectangleOrder{};
     const bool exact = is_color_565(context, source);
     void* aside = nullptr;
-    // The source is copied for a recorded draw, too. The draw is replayed later, when the source may have
+    // A recorded draw needs a copy of the source, because it is replayed later, when the source may have
     // changed.
     if (context.drawable.recording != nullptr || (!moves && source_overlaps_target(context, source))) {
         aside = set_aside(context, source);

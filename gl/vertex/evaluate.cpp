@@ -47,7 +47,7 @@ class Evaluation {
             p[c] = evaluation::store(at[c].value);
         cmd::Vertex(context_, p[0], p[1], p[2], p[3]);
         context_.current = before;
-        if (on[eval_color]) // the material goes back, too, to the old colour that it tracks
+        if (on[eval_color]) // the material that tracks the colour gets its old value back
             follow_color(context_);
     }
 

@@ -97,7 +97,7 @@ GLenum map_error(const MapArguments& map, unsigned dimension) {
 }
 
 Real control_value(const MapArguments& map, GLint i, GLint j, unsigned c) {
-    // The stride may be large, but n is less than the order.
+    // A product of a stride and an index needs more than 32 bits where the client's stride is large.
     const auto at = [](GLint stride, GLint n) {
         return static_cast<std::size_t>(stride) * static_cast<std::size_t>(n);
     };

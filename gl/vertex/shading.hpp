@@ -127,7 +127,7 @@ template <class M, class L> inline void Shading<M, L>::color(Vertex& v) {
         light(v);
 }
 
-/// Lights the back of a vertex of vertex_slot_, too, before the material changes.
+/// Lights the back of a vertex of vertex_slot_. It is called before the material changes.
 template <class M, class L> inline void Shading<M, L>::color_back([[maybe_unused]] Vertex& v) {
 #if SPANGLE_TWO_SIDES
     if (!modes_.has_two_sides() || (v.flags & (back_known | is_clipped_vertex)) != 0)
