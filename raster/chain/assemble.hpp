@@ -115,7 +115,7 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     if constexpr (has_format(DepthFormat::z24s8)) {
         if (key.stencil) {
             chain.template choose<StencilDepth<System, Offset24>, StencilDepth<System>>(offset);
-            depth = false; // StencilDepth tests the depth, too
+            depth = false; // StencilDepth tests stencil and depth
         }
     }
     if (depth && offset)

@@ -128,8 +128,8 @@ inline SmallEdge SmallEdge::at(std::int32_t x0, std::int32_t y0, std::int32_t x1
     return e;
 }
 
-/// An edge of at most 15 pixels in x and in y, whose x counts from a column that is as near. A position is
-/// one word with 26 fraction bits of a column.
+/// An edge of at most 15 pixels in x and in y, whose x counts from a column at most 15 pixels away. A
+/// position is one word with 26 fraction bits of a column.
 ///
 /// The slope is off by less than one unit. The start lies above / 256 slopes up. Start and 15 - above / 256
 /// steps together are off by less than 15 units, and the two shifts of the start by two more. An edge meets a

@@ -18,7 +18,7 @@ template <class Int> struct PathInterval {
     Int from_begin; ///< distance from the pixel of `begin` to the first fragment
 };
 
-/// Stores path i, and in lanes also the next paths, for lines that have fragments.
+/// Stores path i, for lines that have fragments. With lanes it stores the next paths of the vector, too.
 template <class L, class Line>
 SPANGLE_INLINE PathInterval<typename L::Int> set_path(Paths& paths, int i, const Line& line,
                                                       std::int32_t pixels_per_row) {

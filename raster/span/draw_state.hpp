@@ -188,7 +188,7 @@ struct DrawState {
     /// Is told of every primitive. `nothing` is set then, so drawing looks at this pointer only where
     /// `nothing` is set.
     Recorder* recorder = nullptr;
-    bool draws_too = false; ///< the surface gets the recorded primitives, too
+    bool draws_too = false; ///< primitives that are recorded are drawn to the surface, too
 #endif
 };
 
