@@ -26,8 +26,7 @@ class DmaPort {
     /// step(Fault::timeout).
     virtual void wait_te(std::uint32_t at_most_micros) = 0;
 
-    // The calls below are done when they return.
-    /// Lowers chip select, or raises it. Like the calls below, it is done when it returns.
+    /// Lowers chip select, or raises it. This call and those below are done when they return.
     virtual void select(bool selected) = 0;
     /// Drives the reset line low, or high.
     virtual void reset(bool low) = 0;

@@ -1,5 +1,5 @@
 // A panel: a controller with its memory, and the [glass](docs/glossary.md#glass) that shows a window of it.
-// Plain constexpr data; what the driver does with it is the same for all of them.
+// It is plain constexpr data, which the driver treats alike for all panels.
 #pragma once
 
 #include <cstdint>
