@@ -142,8 +142,8 @@ void SimBus::send(std::uint8_t byte, bool data) {
 
 /// Puts one byte on the wire. Returns false if the wire lost the byte.
 bool SimBus::carry(std::uint8_t byte, bool data) {
-    // The `write_hz` of an I2C bus counts the eight bits of a byte only, so that its nine clocks take as
-    // long.
+    // The `write_hz` of an I2C bus counts only the eight bits of a byte. The wire's clock is faster, so that
+    // nine clocks take the time of eight periods of `write_hz`.
     const unsigned period = period_ns(), cycles = 8u / caps_.bits_per_cycle;
     // Times are exact over a whole transfer, although a clock's period is seldom a whole number of
     // nanoseconds.

@@ -223,7 +223,8 @@ std::string Replays::settle(trade::Setting& setting) {
         return draws(setting);
     const fs::path file = folder_.path() / "program.trace";
     std::string problem;
-    // A tracer sees only one way to windows. Most programs use GLX, others EGL.
+    // A tracer records the calls of GLX or those of EGL, not both. Most programs get their windows by GLX,
+    // and others by EGL.
     for (const char* const api : {"gl", "egl"}) {
         trade::Setting own = setting;
         saved_captures_.clear();

@@ -103,8 +103,8 @@ inline constexpr Chip chips[] = {
      .pixel_dummy_bits = 9,
      .serial_depths = depths({3, 5, 6}),
      .parallel_depths = depths({3, 5, 6})},
-    // The ILI9342C is an ILI9341 whose memory lies on its side: a line has as many clocks, and a frame 240 +
-    // 2 + 2 lines.
+    // The ILI9342C is an ILI9341 whose memory lies on its side: a line has 27 clocks, too, and a frame has
+    // 240 + 2 + 2 lines.
     {.controller = hal::Controller::ili9342c,
      .name = "ILI9342C",
      .width = 320,

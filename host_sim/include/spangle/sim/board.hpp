@@ -32,7 +32,7 @@ class SimBoard {
     /// Builds the module that `board` describes. The description is copied; the panel that it names must
     /// outlive the simulated board.
     explicit SimBoard(const hal::Board& board);
-    /// Ends a record of the wires, too.
+    /// Ends the simulation. A record of the wires that is still open is completed.
     ~SimBoard();
     /// A board is not copied.
     SimBoard(const SimBoard&) = delete;
