@@ -56,7 +56,7 @@ void watch(Context& context, Watcher* watcher) {
 bool must_run_now(Context& context, const Command& command, [[maybe_unused]] const Arg (&args)[most_args]) {
     tell_watcher(context, command.text, args, command.args);
 #if SPANGLE_FEATURE_LISTS
-    if ((context.gate & gate_compiling) != 0) { // lists record all commands that get here
+    if ((context.gate & gate_compiling) != 0) { // display lists record all commands that come here
 #if SPANGLE_MESSAGES
         context.compiled = {command.text, args};
 #endif

@@ -220,8 +220,7 @@ EGLBoolean eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLC
     {
         const Registry registry;
         begin_call(SPANGLE_TEXT("eglMakeCurrent"));
-        if (ctx == EGL_NO_CONTEXT) { // releasing is allowed on a display that is not initialised (EGL 1.4,
-                                     // 3.7.3)
+        if (ctx == EGL_NO_CONTEXT) { // EGL 1.4, 3.7.3 allows this on an uninitialised display
             if (find_entry(dpy) == nullptr)
                 return EGL_FALSE;
             if (draw != EGL_NO_SURFACE || read != EGL_NO_SURFACE)

@@ -46,7 +46,7 @@ int usable_levels(const TextureObject& texture, unsigned face) {
     // limited, p is less than texture_levels.
     const int chain =
         static_cast<int>(std::bit_width(base.size_without_border(0) | base.size_without_border(1) |
-                                        base.size_without_border(2))); // max(n, m, l) + 1
+                                        base.size_without_border(2))); // max(n, m, l) + 1 in the terms of GL
     const int wanted = texture.parameters.max_level - first;
     const int count = wanted < chain - 1 ? wanted + 1 : chain;
     for (int step = 1; step < count; ++step) {
