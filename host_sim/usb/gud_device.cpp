@@ -159,7 +159,9 @@ bool GudDevice::control(const UsbSetup& setup, const std::uint8_t* out, Bytes& i
         return answered;
     }
     status_ = set(setup, out);
-    return status_ == ok || status_on_set; // a device with a status stage cannot stall late
+    // The host asks a device with status_on_set for its status after each such request. The device does not
+    // stall.
+    return status_ == ok || status_on_set;
 }
 
 /// Answers the standard requests that the operating system sends to any device.
