@@ -19,12 +19,12 @@ PAGE = ROOT / "docs/bounds.md"
 BUILT = ROOT / "build/test/tests"
 HEAD = """# Bounds
 
-What each stage of the numerics computes in, how far it may be off, and how far it was. A bound is an obligation that Gappa proves: `tests/oracle/gappa` prints it with the
-numbers of the headers, and `ctest -R gappa` proves it. The last column is the worst that `test_bounds` met in numbers at random and at the ends of ranges. It fails
-where one is beyond its bound.
+This page says what each stage of the numerics computes in, how far it may be off, and how far it was. A bound is an obligation that Gappa
+proves. `tests/oracle/gappa` prints it with the numbers of the headers, and `ctest -R gappa` proves it. The last column is the worst that
+`test_bounds` met, in random numbers and at the ends of ranges. The test fails where a number is beyond its bound.
 
-`tests/oracle/bounds/page.py` writes this page. A test holds its rows against the program, and its proofs against the obligations there are. Bounds of whole stages, as a
-pixel shows them, are in [extremes](extremes.md); those of tiers in [trade](trade.md).
+`tests/oracle/bounds/page.py` writes this page. A test compares its rows with what the program prints, and its proofs with the obligations
+that exist. Bounds of whole stages, as a pixel shows them, are in [extremes](extremes.md); those of tiers are in [trade](trade.md).
 
 | stage | format | range | bound | proof | worst observed |
 |---|---|---|---|---|---|
