@@ -167,7 +167,7 @@ GLint saved_attributes(const Context& context, bool client) {
 
 void release_attributes(Context& context) {
     while (SavedAttributes* const entry = context.attrib.client.top) {
-        entry->vertex_array = bound_vertex_array(context); // this keeps pop() from binding another object
+        entry->vertex_array = bound_vertex_array(context); // pop() therefore binds no other object
         pop(context, context.attrib.client);               // pop() releases the buffers of the saved arrays
     }
     while (SavedAttributes* const entry = context.attrib.server.top) {

@@ -39,7 +39,7 @@ inline constexpr std::uint32_t server_groups = 0x200FFFFF;
 /// to no group. Such bytes are saved, too, but only the runs are restored.
 struct SavedChunk {
     std::uint16_t offset = 0, bytes = 0; ///< place and length of the first unit's chunk in Context
-    std::uint16_t unit_step = 0;         ///< as in SavedRun
+    std::uint16_t unit_step = 0;         ///< bytes from one unit's chunk to the next unit's; 0: no units
     std::uint16_t first = 0, count = 0;  ///< the runs of the chunk in saved_runs()
 };
 

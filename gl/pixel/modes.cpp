@@ -86,7 +86,7 @@ void PixelStore(Context& context, GLenum pname, const Params& params) {
     static constexpr GLint gl::PixelStore::*numbers[] = {
         &gl::PixelStore::row_length, &gl::PixelStore::skip_rows,    &gl::PixelStore::skip_pixels,
         &gl::PixelStore::alignment,  &gl::PixelStore::image_height, &gl::PixelStore::skip_images};
-    const bool later = pname >= GL_PACK_SKIP_IMAGES; // tokens for volumes have numbers of their own
+    const bool later = pname >= GL_PACK_SKIP_IMAGES; // tokens for volumes do not follow the other tokens
     const bool pack = later ? pname <= GL_PACK_IMAGE_HEIGHT : pname >= GL_PACK_SWAP_BYTES;
     const GLenum first = later ? GL_PACK_SKIP_IMAGES : pack ? GL_PACK_SWAP_BYTES : GL_UNPACK_SWAP_BYTES;
     const GLenum place = pname - first;

@@ -16,7 +16,7 @@ inline constexpr std::int32_t rectangle_chunk = 64;
 union RectangleRow {
     std::uint32_t color[4 * rectangle_chunk]; ///< colour units, or an index in the place of red
     std::uint16_t words[rectangle_chunk + raster::pixel_room]; ///< R5 G6 B5, with padding at the end
-    std::uint32_t depth[rectangle_chunk];                      ///< Q0.30
+    std::uint32_t depth[rectangle_chunk];                      ///< depths in Q0.30
     std::uint8_t stencil[rectangle_chunk];
 };
 

@@ -61,7 +61,7 @@ class StageReport {
 
 /// The picture that a context has drawn.
 struct DrawnPicture {
-    int width = 0, height = 0;        ///< pixels
+    int width = 0, height = 0;        ///< size in pixels
     std::vector<std::uint8_t> rgba;   ///< four bytes a pixel, bottom row first, as glReadPixels gives them
     std::vector<std::uint32_t> depth; ///< codes of the depth buffer; empty where there is none
     int depth_bits = 0;               ///< bits of a depth code
