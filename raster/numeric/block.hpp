@@ -356,7 +356,7 @@ SPANGLE_INLINE constexpr Unit3 normalize(const Block3& v) {
     const int zeros = clz64(square) & ~1; // 2 or 4: square << zeros is in [2^62, 2^64)
     const std::uint32_t r = rsqrt(low_word_after(static_cast<std::int64_t>(square), 32 - zeros));
     // v / sqrt(square) = v * (r * 2^-30) * 2^((zeros - 64) / 2); in Q2.30 that is v * r >> (32 - zeros / 2).
-    const int shift = 32 - zeros / 2; // 30 or 31
+    const int shift = 32 - zeros / 2; // the shift is 30 or 31
     const std::int64_t half = std::int32_t{1} << (shift - 1);
     Unit3 out;
 #pragma GCC unroll runs_inline ? 3 : 1

@@ -36,7 +36,7 @@ struct Log2Table {
     static constexpr std::uint32_t fraction_of_log2(std::uint64_t v) {
         std::uint64_t bits = 0;
         for (int i = 0; i < 33; ++i) {
-            const std::uint64_t square = mul_u64(v, v).high; // Q2.62
+            const std::uint64_t square = mul_u64(v, v).high; // square in Q2.62
             const bool carry = square >> 63 != 0;
             bits = bits << 1 | (carry ? 1u : 0u);
             v = carry ? square : square << 1;
@@ -73,7 +73,7 @@ SPANGLE_INLINE constexpr std::uint64_t minus_log2(std::uint32_t v) {
     const auto r =
         static_cast<std::int32_t>(static_cast<std::int64_t>(mul_u32(a, c) - (std::uint64_t{1} << 47)) >> 9);
     // log2(1 + r) = r/ln2 (1 - r/2 + r^2/3 - r^3/4): the bracket in Q2.30.
-    constexpr std::int32_t third = 0x15555555, quarter = 0x10000000; // Q0.30
+    constexpr std::int32_t third = 0x15555555, quarter = 0x10000000; // 1/3 and 1/4 in Q0.30
     const std::int32_t tail = third - static_cast<std::int32_t>(mul_s32(r, quarter) >> 38);
     const std::int32_t half = (1 << 29) - static_cast<std::int32_t>(mul_s32(r, tail) >> 38);
     const std::int32_t bracket = (1 << 30) - static_cast<std::int32_t>(mul_s32(r, half) >> 38);
@@ -99,7 +99,7 @@ SPANGLE_INLINE constexpr std::uint32_t exp2_neg(std::uint32_t q) {
     fall -= mul_high_u32(y, y) >> 1;
     fall += mul_high_u32(mul_high_u32(y, y), y) / 6;
     const std::uint64_t product =
-        mul_u32(detail::exp2_table.at[(q >> 18) & 63], 0x80000000u - (fall >> 1)); // Q2.62
+        mul_u32(detail::exp2_table.at[(q >> 18) & 63], 0x80000000u - (fall >> 1)); // product in Q2.62
     const std::uint32_t shift = 32 + down;
     return static_cast<std::uint32_t>(((product >> (shift - 1)) + 1) >> 1);
 }

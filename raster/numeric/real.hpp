@@ -305,7 +305,7 @@ constexpr std::int32_t to_i32_round(Real v) {
 /// floor(clamp01(v) * most * 2), most < 2^32. It has one bit more than to_steps() returns, for rounding.
 constexpr std::uint64_t to_half_steps(Real v, std::uint32_t most) {
     const detail::Unpacked u = detail::unpack(clamp01(v));
-    const std::int32_t drop = -u.exponent; // >= 23, because |v| <= 1
+    const std::int32_t drop = -u.exponent; // `drop` is 23 or more, because |v| <= 1
     return static_cast<std::uint64_t>(
         times_two_to(static_cast<std::int64_t>(u.mantissa * std::uint64_t{most}), 1 - drop));
 }

@@ -46,9 +46,9 @@ inline constexpr int rsqrt_1_accuracy = 173, rsqrt_accuracy = 299;
 /// 1/sqrt(a) in Q2.30 by one Newton step. a in [2^30, 2^32) stands for [1/4, 1). The relative error is in
 /// [-2^-17.3, 2^-29].
 SPANGLE_INLINE constexpr std::uint32_t rsqrt_1(std::uint32_t a) {
-    const std::uint32_t seed = detail::rsqrt_seed((a >> 23) - 128); // Q1.15
-    const std::uint32_t square = seed * seed;                       // Q2.30, exact
-    const std::uint32_t product = mul_high_u32(a, square);          // Q2.30, near 1
+    const std::uint32_t seed = detail::rsqrt_seed((a >> 23) - 128); // seed in Q1.15
+    const std::uint32_t square = seed * seed;                       // square in Q2.30, exact
+    const std::uint32_t product = mul_high_u32(a, square);          // product in Q2.30, near 1
     return mul_by_half(0xC0000000u - product, seed);                // seed * (3 - a seed^2) / 2
 }
 

@@ -87,7 +87,7 @@ constexpr Unit3Q60 normalize_q60(const Block3& v) {
                                                    mul_s32(v.m[2], v.m[2])); // 0, or 2^58 .. 2^61.6
     if (square == 0)
         return {{0, 0, 0}};
-    const int zeros = clz64(square) & ~1;    // 2 or 4
+    const int zeros = clz64(square) & ~1;    // `zeros` is 2 or 4
     const std::uint64_t a = square << zeros; // [2^62, 2^64): [1/4, 1)
     const auto estimate =
         static_cast<std::int64_t>(std::uint64_t{rsqrt(static_cast<std::uint32_t>(a >> 32))} << 30);

@@ -64,7 +64,8 @@ SPANGLE_INLINE std::uint32_t color_in_near_steps(std::uint32_t c, int component)
 }
 /// A colour in steps, by exact_steps, but up to 2^-12 of a 255th too large. `rest` is 1 minus the factor.
 SPANGLE_INLINE std::uint32_t color_in_guessed_steps(std::uint32_t c, int component) {
-    const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u); // in units of 2^-16
+    // One minus the factor of exact_steps, in units of 2^-16.
+    const auto rest = numeric::kept_in_register(component == 1 ? 771u : 1799u);
     return c - ((c >> 8) * rest >> 8);
 }
 

@@ -136,8 +136,10 @@ struct PackedExact : Packed {
 
 /// The number system of sprites in the fast tier (Coarse). All three components are blended by one product.
 struct PackedCoarse : Packed {
-    SPANGLE_INLINE static bool clear(const Color& s) { return s.word < 4u << 24; }        // alpha is 0 of 32
-    SPANGLE_INLINE static bool is_opaque(const Color& s) { return s.word >= 252u << 24; } // alpha is 32 of 32
+    // Alpha is 0 of 32 (Coarse counts it in 32nds).
+    SPANGLE_INLINE static bool clear(const Color& s) { return s.word < 4u << 24; }
+    // Alpha is 32 of 32.
+    SPANGLE_INLINE static bool is_opaque(const Color& s) { return s.word >= 252u << 24; }
     /// Alpha in 32nds, where 32 becomes 0, too.
     SPANGLE_INLINE static std::uint32_t weight(const Color& s) { return (s.word + (4u << 24)) >> 27; }
     SPANGLE_INLINE static bool whole(const Color& s) { return weight(s) == 0; }

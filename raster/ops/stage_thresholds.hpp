@@ -49,7 +49,8 @@ template <int Bits> struct DitherNumbered {
     SPANGLE_INLINE const std::uint32_t* from(std::int32_t x, std::int32_t y) const {
         if constexpr (Masks)
             return of + (y & 3) * 8 + (x & 3);
-        // The offset counts bytes, so that two shifts turn each coordinate into its share of it.
+        // The offset counts bytes. Rows of the table are 32 bytes apart and columns 4 bytes, so two shifts
+        // make each coordinate's part of the offset.
         const auto low2 = [](std::int32_t v, int up) {
             return numeric::factor32(static_cast<std::uint32_t>(v) << 30) >> (30 - up);
         };

@@ -99,7 +99,7 @@ class LineOutline {
     }
 
     OutlinePoint start_;
-    std::int64_t dx_, dy_; ///< subpixels
+    std::int64_t dx_, dy_; ///< direction of the line, in subpixels
     std::int64_t length_;  ///< subpixels with 8 more bits
     OutlinePoint half_width_{};
 };

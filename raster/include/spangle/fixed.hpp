@@ -160,7 +160,7 @@ struct Arctangents {
 inline constexpr Arctangents arctangents;
 
 struct Point {
-    std::int64_t x, y; ///< Q.30
+    std::int64_t x, y; ///< both in Q.30
 };
 
 /// (cos, sin) of radians with 16 fraction bits; within 2^-26.
@@ -289,7 +289,7 @@ namespace fixed_detail {
 constexpr std::int64_t arc_cosine(fixed v) {
     constexpr std::int64_t one = fixed::one_bits;
     const std::int64_t x = v.bits > one ? one : v.bits < -one ? -one : v.bits;
-    const auto square = static_cast<std::uint64_t>(one * one - x * x); // sin^2, Q.32
+    const auto square = static_cast<std::uint64_t>(one * one - x * x); // sin^2 in Q.32
     return angle(integer_sqrt(square << 28), x << 14);                 // angle() takes both in Q.30
 }
 } // namespace fixed_detail

@@ -20,7 +20,7 @@ struct ClearRequest {
     bool depth = false;
     std::uint8_t stencil_mask = 0; ///< bits to write; 0 = no stencil clear
     std::uint32_t color[4] = {};   ///< RGBA, colour units; on an index surface [0] is the index, in 2^-20
-    std::uint32_t z = depth_one;   ///< Q0.30
+    std::uint32_t z = depth_one;   ///< the depth, in Q0.30
     /// The value for the stencil buffer.
     std::uint8_t stencil = 0;
 };

@@ -176,7 +176,7 @@ struct Texture {
     const CubeFaces* faces = nullptr;      ///< texels of the faces of a cube map
     /// 1 when the image has a border around [0,w) x [0,h): texel -1 is readable.
     std::uint8_t border_texels = 0;
-    std::int32_t min_lod = -1000 * 256, max_lod = 1000 * 256; ///< s23.8
+    std::int32_t min_lod = -1000 * 256, max_lod = 1000 * 256; ///< limits of the level of detail, in s23.8
     std::uint8_t border_color[4] = {0, 0, 0, 0};              ///< RGBA, 255ths
     friend constexpr bool operator==(const Texture&, const Texture&) = default;
 };
@@ -190,7 +190,7 @@ constexpr bool wants_r(const Texture& texture) {
 struct Combiner {
     /// COMBINE_RGB or COMBINE_ALPHA.
     CombineFunc func = CombineFunc::modulate;
-    std::uint8_t log2_scale = 0; ///< 0 to 2
+    std::uint8_t log2_scale = 0; ///< log2 of the scale, 0 to 2
     /// One argument of the function.
     struct Argument {
         /// SOURCEn_RGB or SOURCEn_ALPHA.
@@ -260,7 +260,7 @@ struct FragmentState {
     bool alpha_test = false;
     /// ALPHA_TEST_FUNC.
     Compare alpha_func = Compare::always;
-    std::uint8_t alpha_ref = 0; ///< 255ths
+    std::uint8_t alpha_ref = 0; ///< reference value of the alpha test, in 255ths
     /// STENCIL_TEST is enabled.
     bool stencil_test = false;
     /// The stencil test of both faces; GL fills it for the face that is drawn.
@@ -298,7 +298,7 @@ struct FragmentState {
     bool alpha_to_coverage = false, alpha_to_one = false;
     /// SAMPLE_COVERAGE is enabled, and SAMPLE_COVERAGE_INVERT.
     bool sample_coverage = false, invert_sample_coverage = false;
-    std::uint8_t sample_coverage_value = 255; ///< 255ths
+    std::uint8_t sample_coverage_value = 255; ///< coverage value, in 255ths
     friend constexpr bool operator==(const FragmentState&, const FragmentState&) = default;
 };
 
