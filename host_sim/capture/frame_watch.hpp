@@ -19,7 +19,7 @@ class FrameWatch : public raster::Observer {
     /// Returns the picture, and what was drawn to it since the last call for this surface. Depths have 16
     /// bits.
     DrawnFrame take(const raster::Surface& surface);
-    /// The number of pixels whose coverage was not brute force's.
+    /// The number of pixels whose coverage differed from that of brute force.
     std::uint64_t mismatches() const;
 
   private:

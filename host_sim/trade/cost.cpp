@@ -18,7 +18,7 @@ namespace spangle::trade {
 namespace {
 
 constexpr int rounds = 15;
-constexpr double round_time = 4000; ///< us
+constexpr double round_time = 4000; ///< microseconds
 
 /// The mean time of whole frames, in microseconds, over at least the time of a round.
 double microseconds_of_frame(const Program& program, int frames) {
