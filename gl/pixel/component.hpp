@@ -68,8 +68,9 @@ constexpr Real to_real(Component c) {
     if (c.code == divisor)
         return numeric::one;
     const int up = numeric::clz64(c.code);
-    const std::uint64_t numerator = std::uint64_t{c.code}
-                                    << up; // leaves at least 31 bits of quotient to round
+    const std::uint64_t numerator =
+        std::uint64_t{c.code} // The quotient has at least 31 bits, which are then rounded.
+        << up;
     const numeric::Quotient q = numeric::divide(numerator, divisor);
     return numeric::pack_real(false, q.quotient << 1 | (q.remainder != 0 ? 1u : 0u), -up - 1);
 }

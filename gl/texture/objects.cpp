@@ -72,7 +72,8 @@ void delete_name(Context& context, GLuint name) {
     if (texture == nullptr)
         return;
     texture->deleted = true;
-    ++texture->bindings; // lest the loop free the object before its last comparison
+    // The binding keeps the object alive until the loop has compared it for the last time.
+    ++texture->bindings;
     for (TextureUnitState& unit : context.texture.unit)
         if (TextureObject*& bound = unit.bound[index_of(texture->kind)]; bound == texture)
             unbind_texture(*context.share, bound);
