@@ -48,7 +48,8 @@ struct Record::Item {
     Primitive::Shape shape{};
     std::uint8_t corners = 0, fresh = 0;
     bool line_stippled : 1 = false, polygon_stippled : 1 = false, has_offset : 1 = false;
-    bool moved : 1 = false;          ///< drawn for each sample, moved until it lies in the pixel's centre
+    /// The primitive is drawn for each sample, moved until the sample lies in the pixel's centre.
+    bool moved : 1 = false;
     std::int16_t first = 0, end = 0; ///< rows of the window
 
     bool has_size() const {

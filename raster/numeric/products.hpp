@@ -273,7 +273,7 @@ SPANGLE_INLINE constexpr std::int32_t mul_high_rounded(std::int32_t a, std::int3
 #endif
     return high_rounded(mul_s32(a, b));
 }
-/// to + mul_high_rounded(a, b), mod 2^32.
+/// The sum `to` + mul_high_rounded(a, b), mod 2^32.
 SPANGLE_INLINE constexpr std::int32_t add_high_rounded(std::int32_t to, std::int32_t a, std::int32_t b) {
 #if defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
     if (!std::is_constant_evaluated()) {
@@ -286,7 +286,7 @@ SPANGLE_INLINE constexpr std::int32_t add_high_rounded(std::int32_t to, std::int
                                      static_cast<std::uint32_t>(mul_high_rounded(a, b)));
 }
 
-/// to + a b / 2^16 for products below 2^32 and b < 2^15.
+/// The sum `to` + a b / 2^16, for products below 2^32 and b < 2^15.
 SPANGLE_INLINE constexpr std::uint32_t add_product(std::uint32_t to, std::uint32_t a, std::uint32_t b) {
 #if defined(__thumb2__) && defined(__ARM_FEATURE_DSP)
     if (!std::is_constant_evaluated()) {

@@ -235,7 +235,8 @@ constexpr Real div(Real a, Real b) {
     if (y.mantissa == 0)
         return {(negative ? 0x80000000u : 0u) | largest.bits};
     const int up_x = clz32(x.mantissa), up_y = clz32(y.mantissa);
-    std::uint32_t rest = x.mantissa << up_x >> 1; // in [2^30, 2^31), as is the divisor, so doubling fits
+    // `rest` is in [2^30, 2^31), as is the divisor, so doubling fits.
+    std::uint32_t rest = x.mantissa << up_x >> 1;
     const std::uint32_t divisor = y.mantissa << up_y >> 1;
     std::uint32_t quotient = 0;
     for (int i = 0; i < 27; ++i) { // one bit of the quotient at a time, in 32-bit words
@@ -262,7 +263,8 @@ constexpr std::uint64_t to_double_bits(Real v) {
     const std::uint64_t sign = std::uint64_t{v.bits >> 31} << 63;
     if (u.mantissa == 0)
         return sign;
-    const int up = clz32(u.mantissa) - 8; // to 24 bits, so that denormals become normal doubles
+    // Shifts the mantissa to 24 bits, so that denormals become normal doubles.
+    const int up = clz32(u.mantissa) - 8;
     const std::uint64_t fraction = std::uint64_t{(u.mantissa << up) & 0x7FFFFF} << 29;
     return sign | static_cast<std::uint64_t>(u.exponent - up + 23 + 1023) << 52 | fraction;
 }

@@ -205,7 +205,8 @@ namespace detail {
 constexpr LongQuotient divide_by_bits(std::uint64_t n, std::uint64_t d) {
     std::uint64_t rest = 0;
     for (int i = 0; i < 64; ++i) {
-        rest = rest << 1 | n >> 63; // the upper i + 1 bits of the dividend bound this, so it fits
+        // The upper i + 1 bits of the dividend are at least as large as `rest`, so `rest` fits.
+        rest = rest << 1 | n >> 63;
         n <<= 1;
         if (rest >= d) {
             rest -= d;

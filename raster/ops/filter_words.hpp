@@ -25,7 +25,7 @@ namespace inner {
 /// is left to the chain.
 template <int Bits> struct StoredSteps {
     static constexpr std::uint32_t most = (1u << Bits) - 1;
-    std::uint32_t from[most + 1]; ///< at j, the least n that gives step j + 1
+    std::uint32_t from[most + 1]; ///< element j is the least n that gives step j + 1
     constexpr StoredSteps() : from{} {
         constexpr std::uint64_t one = color_one;
         for (std::uint64_t j = 1; j <= most; ++j) {

@@ -253,8 +253,8 @@ struct LaneWords {
     SPANGLE_INLINE Halfwords any_bits() const { return std::bit_cast<Halfwords>(even | odd); }
     SPANGLE_INLINE std::uint32_t lane(int i) const { return (i & 1) != 0 ? odd[i >> 1] : even[i >> 1]; }
     SPANGLE_INLINE void set_lane(int i, std::uint32_t v) {
-        // This is no element of a conditional expression, because under UBSan gcc 12 writes into a copy of
-        // such an element.
+        // The word is not chosen by a conditional expression, because under UBSan gcc 12 would write into a
+        // copy of the word.
         if ((i & 1) != 0)
             odd[i >> 1] = v;
         else

@@ -169,7 +169,8 @@ class AxisLanes {
         };
         if (wrap_ == Wrap::clamp_to_border)
             each_place(as_it_is, into_border);
-        else // CLAMP limits to [0, 1] first: at the edge half of the border is mixed in
+        // CLAMP limits the coordinate to [0, 1] first. At the edge half of the border is mixed in.
+        else
             each_place(
                 [&](const U32& v) __attribute__((always_inline)) {
                     return L::minimum(L::positive(v), L::splat32(static_cast<std::uint32_t>(period_) << 16));

@@ -77,7 +77,7 @@ struct TexelScale {
     const auto inside = [&](std::int32_t i) __attribute__((always_inline)) {
         return i < low ? low : i > high ? high : i;
     };
-    std::int32_t outside = 0; // below 0: some texel lies beyond the image
+    std::int32_t outside = 0; // negative where some texel lies beyond the image
     if (linear)
         each([&](std::int32_t i, std::uint32_t v) __attribute__((always_inline)) {
             const TexelIndex texel = clamped_linear(axis.wrap, static_cast<std::int32_t>(v), log2_size);

@@ -34,7 +34,8 @@ SPANGLE_INLINE void apply_env(TexEnv env, BaseFormat base, typename N::Color& f,
         if (alpha)
             f.a = N::mul(f.a, s.a);
         return;
-    case TexEnv::decal: // defined for RGB and RGBA only; keeps alpha
+    // DECAL is defined for RGB and RGBA only. It keeps alpha.
+    case TexEnv::decal:
         if (base == BaseFormat::rgba)
             f.r = N::lerp(f.r, s.r, s.a), f.g = N::lerp(f.g, s.g, s.a), f.b = N::lerp(f.b, s.b, s.a);
         else if (color)

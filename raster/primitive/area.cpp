@@ -35,8 +35,9 @@ inline std::int64_t RowEdge::beyond(std::int32_t column) const {
     if (u >= 0 && v >= 0)
         return (u + v) * height_;
     const std::int64_t positive = u > 0 ? u : v;
-    const auto width = static_cast<std::uint32_t>(u > 0 ? u - v : v - u); // fits, because both ends are words
-    return numeric::quotient(positive * positive, width) * height_;       // the area of a triangle
+    // The difference fits a word, because both ends are words.
+    const auto width = static_cast<std::uint32_t>(u > 0 ? u - v : v - u);
+    return numeric::quotient(positive * positive, width) * height_; // the area of a triangle
 }
 
 void RowEdge::add(std::int32_t begin, std::int32_t end, std::int64_t* change) const {

@@ -138,7 +138,7 @@ template <length_t L, qualifier Q, bool Aligned> struct compute_normalize<L, spa
             any <<= 1, ++shift;
         std::uint64_t square = 0;
         for (length_t i = 0; i < L; ++i) {
-            const std::int64_t c = std::int64_t{v[i].bits} << shift; // below 2^32
+            const std::int64_t c = std::int64_t{v[i].bits} << shift; // `c` is below 2^32
             square += static_cast<std::uint64_t>(c * c) >> 3;
         }
         const auto length =

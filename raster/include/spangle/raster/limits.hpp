@@ -125,7 +125,7 @@ static_assert((depth_formats & 1) != 0 && depth_formats < 8, "a surface may alwa
 constexpr bool has_format(PixelFormat format) {
     return (color_formats >> static_cast<unsigned>(format) & 1) != 0;
 }
-/// Whether this build draws on surfaces with such a depth plane.
+/// Whether this build draws on surfaces with a depth plane of this format.
 constexpr bool has_format(DepthFormat format) {
     return (depth_formats >> static_cast<unsigned>(format) & 1) != 0;
 }
