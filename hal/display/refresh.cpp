@@ -19,7 +19,8 @@ std::int32_t SafeStart::slack_lines() const {
 
 std::int32_t SafeStart::first_line() const {
     std::int64_t first = earliest_ + refresh_.line - 1;
-    while (first < 0) // at most two rounds: `first` is above -2 periods
+    // The loop takes at most two rounds, because `first` is above -2 periods.
+    while (first < 0)
         first += refresh_.period();
     return static_cast<std::int32_t>(first / refresh_.line % refresh_.lines);
 }

@@ -5,7 +5,8 @@
 #include "hal/mcu/start.hpp"
 
 extern "C" {
-extern char ram_begin, ram_end; // at whole megabytes, which the linker script sees to
+// The linker script puts ram_begin and ram_end at whole megabytes.
+extern char ram_begin, ram_end;
 
 /// The first-level table, with one word for each megabyte.
 alignas(16384) __attribute__((section(".noinit"))) std::uint32_t translation_table[4096];

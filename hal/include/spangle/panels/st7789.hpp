@@ -48,7 +48,7 @@ consteval PanelDesc on_glass(const char* name, Extent glass, Offset offset) {
         .serial = {.rgb565 = 0x55, .rgb666 = 0x66, .rgb444 = 0x53},
         .parallel = {.rgb565 = 0x55, .rgb666 = 0x66, .rgb444 = 0x53},
         .setup = setup,
-        .timing = {.serial_write_ns = 16, // of the ST7789VW; the ST7789V needs 66
+        .timing = {.serial_write_ns = 16, // time of the ST7789VW; the ST7789V needs 66
                    .serial_read_ns = 150,
                    .parallel_write_ns = 66,
                    .practical_serial_mhz = 80,

@@ -16,7 +16,7 @@ struct LineRef {
     /// The line's number on its chip.
     unsigned offset = 0;
     bool inverted = false; ///< true: a transistor inverts the line on its way to the pin
-    /// Whether there is such a line.
+    /// Whether the line is wired.
     bool wired() const { return chip != nullptr; }
 };
 

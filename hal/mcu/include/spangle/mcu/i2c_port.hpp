@@ -10,7 +10,7 @@
 
 namespace spangle::mcu {
 
-/// The wires of such a display, with the functions of a PolledPort.
+/// The wires of a display on I2C, with the functions of a PolledPort.
 template <class I2c, class Timer> class I2cWires {
   public:
     /// `address` is the controller's, of seven bits.
