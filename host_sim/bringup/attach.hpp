@@ -25,7 +25,7 @@ struct BusOptions {
     std::uint32_t hz = 0, read_hz = 0; ///< clocks to write and to read with; 0: those of the board
 
     bool real() const { return !spidev.empty() || !i2c.empty() || ftdi || gud; }
-    /// The name of the board, or that of the usual board on such a bus.
+    /// The name of the board, or that of the usual board on a bus of this kind.
     std::string board_name() const;
 };
 

@@ -34,7 +34,7 @@ bool asks_the_same(const Identity& a, const Identity& b, hal::BusKind kind) {
     return a.command == b.command && a.bytes == b.bytes && dummy_clocks(a, kind) == dummy_clocks(b, kind);
 }
 
-/// Whether the panel has an identity, and hangs on such a bus.
+/// Whether the panel has an identity, and hangs on a bus of this kind.
 bool answers_on(const hal::PanelDesc& panel, hal::BusKind kind) {
     const bool reached = kind == hal::BusKind::i8080 || panel.serial_bus == kind;
     return reached && !panel.quirks.no_read_back && identity_of(panel).id != 0;

@@ -107,7 +107,7 @@ class Reader {
                 part.indices = std::move(by_kind[kind]);
                 vertices_ += part.vertices.size();
                 indices_ += part.indices.size();
-                if (too_much()) // before the vertices are copied
+                if (too_much()) // limits are checked before the vertices are copied
                     return;
                 model_.parts.push_back(part);
             }

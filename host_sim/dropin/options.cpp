@@ -157,7 +157,7 @@ Options read() {
 } // namespace
 
 const Options& options() {
-    static const Options* const read_once = new Options(read()); // never freed: used to the end
+    static const Options* const read_once = new Options(read()); // never freed, because it is used to the end
     return *read_once;
 }
 

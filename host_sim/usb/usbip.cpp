@@ -25,9 +25,9 @@ enum Word : std::size_t {
     endpoint = 16,
     buffer_length = 24,
     setup_bytes = 40,
-    victim = 20,        // place in CMD_UNLINK
-    status = 20,        // place in answers
-    actual_length = 24, // place in RET_SUBMIT
+    victim = 20,        // offset in CMD_UNLINK
+    status = 20,        // offset in answers
+    actual_length = 24, // offset in RET_SUBMIT
 };
 enum Command : std::uint32_t { cmd_submit = 1, cmd_unlink = 2, ret_submit = 3, ret_unlink = 4 };
 

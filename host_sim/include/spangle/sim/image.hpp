@@ -48,7 +48,7 @@ inline constexpr std::uint64_t most_pixels = std::uint64_t{1} << 26;
 /// Writes a picture as PNG. Returns what went wrong, or an empty string. After a failure a regular file is as
 /// it was before. Devices and pipes are written to as they are, and "-" is standard output.
 std::string write_png(const Image& image, const std::string& path);
-/// Makes the bytes of such a file. Returns what went wrong, or an empty string.
+/// Makes the bytes of a PNG file. Returns what went wrong, or an empty string.
 std::string encode_png(const Image& image, std::string& out);
 /// Reads a PNG file with at most longest_side pixels a side and most_pixels in all. Returns what went wrong,
 /// or an empty string.
