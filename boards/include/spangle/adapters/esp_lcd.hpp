@@ -102,7 +102,7 @@ class EspLcdBus final : public hal::Bus {
 
     static bool sent(esp_lcd_panel_io_handle_t, esp_lcd_panel_io_event_data_t*, void* self) {
         static_cast<EspLcdBus*>(self)->queued_.fetch_sub(1);
-        return false; // no task of higher priority woke
+        return false; // no task of higher priority was woken
     }
     static hal::Error failed(const char* operation, esp_err_t code) {
         return {code == ESP_ERR_TIMEOUT ? hal::Fault::timeout : hal::Fault::no_answer, operation,
