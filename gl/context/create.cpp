@@ -121,7 +121,7 @@ void destroy_context(Context* context) {
     if (current_context() == context)
         set_current_context(nullptr);
 #if SPANGLE_FEATURE_LISTS
-    list::free_chain(*context->arena, context->list.recorder.first); // a list may have no EndList
+    list::free_chain(*context->arena, context->list.recorder.first); // a list may still lack its EndList
 #endif
 #if SPANGLE_GATHERS_POLYGONS
     context->arena->free(context->render.gathered);

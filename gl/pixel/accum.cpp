@@ -48,7 +48,7 @@ void Accum(Context& context, GLenum op, Real value) {
         return error(context, GL_INVALID_OPERATION,
                      SPANGLE_TEXT("this surface has no accumulation buffer; see EGL_ACCUM_SIZE_SPANGLE"));
     if (!context.render.draws())
-        return; // the framebuffer does not change (GL 1.3, 5.2)
+        return; // selection and feedback do not change the framebuffer (GL 1.3, 5.2)
     const raster::AccumRequest request = request_of(context, op, value);
 #if SPANGLE_HAS_RECORDS
     if (context.drawable.recording != nullptr)

@@ -71,7 +71,7 @@ int usable_levels(const TextureObject& texture) {
 /// Returns the address of the first texel inside the border.
 const std::uint8_t* inner_texels(const LevelImage& image) {
     const LevelShape& shape = image.shape;
-    if (!raster::spans_sample_any) // spans of such builds sample no borders
+    if (!raster::spans_sample_any) // without spans_sample_any, no span samples a border
         return image.texels;
     return image.texels + shape.border_along(2) * image.slice() + shape.border_along(1) * image.stride +
            shape.border_along(0) * texel_size(shape.format);
@@ -87,7 +87,7 @@ raster::TextureLevel view_of(const LevelImage& image) {
 }
 
 raster::Wrap wrap_of(GLenum mode) {
-    if (!raster::spans_sample_any) // all modes but REPEAT are refused in such builds
+    if (!raster::spans_sample_any) // without spans_sample_any, all modes but REPEAT are refused
         return mode == GL_REPEAT ? raster::Wrap::repeat : raster::Wrap::clamp;
     return static_cast<raster::Wrap>(place_in(wraps, mode));
 }

@@ -195,7 +195,7 @@ GLboolean AreTexturesResident(Context& context, GLsizei n, const GLuint* texture
             error(context, GL_INVALID_VALUE, SPANGLE_TEXT("textures has a name that is no texture"));
             return GL_FALSE;
         }
-    return GL_TRUE; // all memory is alike, and `residences` is not written then (GL 1.3, 3.8.12)
+    return GL_TRUE; // all textures are resident, and `residences` is not written then (GL 1.3, 3.8.12)
 }
 
 void PrioritizeTextures(Context& context, GLsizei n, const GLuint* textures, const GLclampf* priorities) {

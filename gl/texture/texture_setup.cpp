@@ -10,7 +10,7 @@ namespace spangle::gl {
 namespace {
 
 raster::TexEnv env_of(GLenum mode) {
-    if (raster::spans_only_modulate) // other modes are refused in such builds
+    if (raster::spans_only_modulate) // with spans_only_modulate, other modes are refused
         return mode == GL_MODULATE ? raster::TexEnv::modulate : raster::TexEnv::replace;
     return static_cast<raster::TexEnv>(place_in(env_modes, mode));
 }
