@@ -53,7 +53,7 @@ SPANGLE_INLINE constexpr std::int32_t shift_to_block(std::int32_t v, int n) {
 
 /// v * 2^-n as the mantissa of a block. Before it is clamped, the result must fit a word.
 constexpr std::int32_t shift_to_block(std::int64_t v, int n) {
-    if (runs_inline && n > 0 && n < 32) [[likely]] { // a faster way to the same result
+    if (runs_inline && n > 0 && n < 32) [[likely]] { // this branch only saves time
         const auto r = static_cast<std::int32_t>(low_word_after(v + (std::int32_t{1} << (n - 1)), n));
         return clamp(r, -block_max, block_max);
     }
@@ -208,7 +208,7 @@ SPANGLE_RUN_INLINE constexpr Block sum(std::int64_t a, std::int32_t e_a, std::in
 
 constexpr Block add(Block a, Block b) {
     constexpr std::int64_t up = std::int64_t{1} << 32;
-    if (runs_inline && (a.m == 0 || b.m == 0)) // a faster way to the same result
+    if (runs_inline && (a.m == 0 || b.m == 0)) // this branch only saves time
         return a.m == 0 ? b : a;
     return detail::sum(a.m * up, a.e - 32, b.m * up, b.e - 32);
 }

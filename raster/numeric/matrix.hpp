@@ -227,7 +227,7 @@ SPANGLE_RUN_INLINE constexpr void multiply_column(const Matrix& a, const Matrix&
     gather(b, 4 * j, 1, half, column);
     for (int i = half; i < n; ++i)
         column[i] = rest[i - half];
-    if (runs_inline && is_unit(column, n, j)) // a faster way to the same result
+    if (runs_inline && is_unit(column, n, j)) // this branch only saves time
         return;
     if (wide_words && half == 4) // this branch only saves time
         return multiply_sparse_column(a, b, j, r);

@@ -35,7 +35,7 @@ struct Rotation {
 
     constexpr void set(int row, int column, std::int64_t q60) {
         const Element nearest = make_element(q60, -60);
-        const int up = nearest.e + element_bias + 60; // at most 0 where nothing was rounded
+        const int up = nearest.e + element_bias + 60; // `up` is at most 0 where nothing was rounded
         matrix.set(row, column, nearest);
         rest[column][row] = make_element(up > 0 ? q60 - nearest.m * (std::int64_t{1} << up) : 0, -60);
     }

@@ -159,7 +159,8 @@ constexpr Quotient divide_by_words(std::uint64_t n, std::uint32_t d) {
     // n / d = (n << zeros) / 2^32 * r / 2^30, with n < d * 2^32: the top word is below 2^32.
     const auto top = static_cast<std::uint32_t>((n << zeros) >> 32);
     std::uint64_t digit = mul_u32(top, r) >> 30;
-    digit = digit < 4 ? 0 : digit - 4; // never too large: r is within an ulp, worth at most 4 here
+    // The digit is never too large: r is within an ulp, which counts at most 4 here.
+    digit = digit < 4 ? 0 : digit - 4;
     std::uint64_t rest = n - digit * d;
     while (rest >= d)
         rest -= d, ++digit; // this loop runs at most 9 times

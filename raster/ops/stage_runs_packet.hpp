@@ -192,7 +192,7 @@ template <class Places> class PacketRuns {
     }
     [[gnu::noinline]] void divide_in_lanes(const Span<Fixed>::Projective& q_plane) {
         store(end_columns_ + end_count_,
-              LaneWords::splat(end_columns_[0])); // lanes beyond the last end repeat the first
+              LaneWords::splat(end_columns_[0])); // lanes beyond the last end repeat the first end
         store(y_ + end_count_, LaneWords::splat(y_[0]));
         const PlaneInRows s(unit_.s), t(unit_.t), q(q_plane);
         for (std::int32_t i = 0; i < end_count_; i += lanes) {

@@ -350,7 +350,8 @@ ShadowReport* shadow_report() {
 
 template <> void compile<ShadowVertex>(const FragmentState& state, const Surface& target, DrawState& draw) {
     compile<FixedVertex>(state, target, draw);
-    draw.guesses = false; // the chain divides planes that set-up must make
+    // The chain divides colours, so set-up must make the planes that a guess would leave out.
+    draw.guesses = false;
     for (int i = 0; i < kind_count; ++i)
         if (Variant& variant = draw.variant[i]; variant.run != nullptr) {
             variant.run = shadow_runner(make_key(state, target, static_cast<Kind>(i)).number);
