@@ -78,8 +78,8 @@ EGLConfig egl_config(EGLDisplay display, int depth, int stencil, int samples) {
     return nullptr;
 }
 
-/// All combinations of planes that EGL has, the commonest first. Those get visuals of their own where there
-/// are not enough visuals for all.
+/// All combinations of planes that EGL has, the commonest first. The commonest combinations get visuals of
+/// their own where there are not enough visuals for all.
 std::vector<SpangleFbConfig> planes_of(EGLDisplay display) {
     std::vector<SpangleFbConfig> out;
     struct Planes {

@@ -153,7 +153,7 @@ void Recorder::reached(gl::Range range, std::uint32_t value) {
     most = std::max(most, value);
 }
 
-/// Notes the optional system that a token asks for, wherever the token comes.
+/// Notes the optional system that a token asks for, wherever the token occurs.
 void Recorder::value(std::uint32_t word) {
     if (const char* const feature = feature_of(word); feature != nullptr)
         record_.features.insert(feature);

@@ -81,7 +81,8 @@ bool Coverage::inside_exact(double px, double py) const {
         const double dx = triangle_.exact_x[j] - triangle_.exact_x[i],
                      dy = triangle_.exact_y[j] - triangle_.exact_y[i];
         const double e = dx * (py - triangle_.exact_y[i]) - dy * (px - triangle_.exact_x[i]);
-        const double on_edge = 1e-9 * (std::fabs(dx) + std::fabs(dy)); // a centre this close is on the edge
+        // A centre so close to an edge counts as on the edge.
+        const double on_edge = 1e-9 * (std::fabs(dx) + std::fabs(dy));
         if (e < -on_edge || (e <= on_edge && !(dy < 0.0 || (dy == 0.0 && dx > 0.0))))
             return false;
     }

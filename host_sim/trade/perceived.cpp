@@ -90,7 +90,7 @@ std::array<double, 3> lab_at(const Planes& planes, std::size_t i) {
     const double v[3] = {std::clamp(y + planes[1][i] / 500, 0.0, 1.0), std::clamp(y, 0.0, 1.0),
                          std::clamp(y - planes[2][i] / 200, 0.0, 1.0)};
     std::array<double, 3> out = to_lab(v);
-    out[1] *= 0.01 * out[0]; // Hunt: colours of dark places are seen less
+    out[1] *= 0.01 * out[0]; // Hunt effect: colours of dark places are seen less
     out[2] *= 0.01 * out[0];
     return out;
 }
