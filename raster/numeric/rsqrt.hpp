@@ -58,8 +58,9 @@ SPANGLE_INLINE constexpr std::uint32_t rsqrt(std::uint32_t a) {
     const std::uint32_t r = rsqrt_1(a);
     const auto square = static_cast<std::uint32_t>((mul_u32(r, r) + (1u << 29)) >> 30); // Q2.30, <= 2^32 - 1
     const std::uint64_t product = mul_u32(a, square);                                   // Q.62, near 1
-    const auto residual = static_cast<std::int32_t>(static_cast<std::uint32_t>(         // Q.47, halved: Q.48
-        ((std::uint64_t{1} << 62) - product) >> 15));
+    // The residual in Q.48: Q.47 is halved.
+    const auto residual =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(((std::uint64_t{1} << 62) - product) >> 15));
     const std::int64_t step = // r < 2^31
         (mul_s32(static_cast<std::int32_t>(r), residual) + (std::int64_t{1} << 47)) >> 48;
     return r + static_cast<std::uint32_t>(step);

@@ -20,17 +20,17 @@ using spangle::acos, spangle::asin, spangle::atan, spangle::cos, spangle::sin, s
 
 namespace spangle {
 
-/// Two components.
+/// A vector of two components.
 using fvec2 = glm::vec<2, fixed, glm::defaultp>;
-/// Three components.
+/// A vector of three components.
 using fvec3 = glm::vec<3, fixed, glm::defaultp>;
-/// Four components.
+/// A vector of four components.
 using fvec4 = glm::vec<4, fixed, glm::defaultp>;
-/// Three columns of three components.
+/// A matrix of three columns of three components.
 using fmat3 = glm::mat<3, 3, fixed, glm::defaultp>;
-/// Four columns of four components, as GL takes them.
+/// A matrix of four columns of four components, as GL takes them.
 using fmat4 = glm::mat<4, 4, fixed, glm::defaultp>;
-/// A quaternion.
+/// A quaternion of four components.
 using fquat = glm::qua<fixed, glm::defaultp>;
 
 namespace fixed_detail {
