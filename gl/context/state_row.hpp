@@ -39,7 +39,7 @@ enum class Row : std::uint8_t {
 struct WrittenRow : StateRow {
     Row becomes = Row::state;
     Group group = Group::none;
-    bool absent = false;   ///< true if it is packed as StateRow::left_out()
+    bool absent = false;   ///< true if the row is packed as StateRow::left_out()
     std::size_t value = 0; ///< value that becomes StateRow::where
     std::size_t bytes = 0; ///< for a held row: bytes that the groups save
     std::size_t step = 0;  ///< bytes from one unit's value to the next unit's; 0: no units

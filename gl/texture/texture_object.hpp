@@ -115,7 +115,7 @@ struct TextureParameters {
 
 struct TextureObject {
     GLuint name = 0;
-    std::uint32_t bindings = 0; ///< texture units that bind it, in all contexts of the share group
+    std::uint32_t bindings = 0; ///< texture units that bind the object, in all contexts of the share group
     TextureKind kind = TextureKind::two;
     bool deleted = false; ///< the name is free again, and the object is freed with its last binding
     LevelImage* level[texture_levels] = {}; ///< images; of a cube map those of POSITIVE_X

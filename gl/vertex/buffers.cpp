@@ -339,7 +339,8 @@ void* MapBufferRange(Context& context, GLenum target, GLintptr offset, GLsizeipt
                                : GL_WRITE_ONLY);
 }
 
-/// Checks its arguments only. A program and GL use the same memory, so that writes need no flush.
+/// The command checks its arguments, and does nothing else. A program and GL use the same memory, so that
+/// writes need no flush.
 void FlushMappedBufferRange(Context& context, GLenum target, GLintptr offset, GLsizeiptr length) {
     const BufferObject* const buffer = bound(context, target);
     if (buffer == nullptr)
