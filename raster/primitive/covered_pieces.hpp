@@ -85,7 +85,7 @@ template <class P> class CoveredPieces {
     static_assert(coverages >= AreaRow::window);
     struct Piece {
         Row row;
-        std::int32_t at; ///< index of its first coverage
+        std::int32_t at; ///< index of the piece's first coverage
         std::int32_t next;
     };
     /// Pieces of one source. `whole` says that their pixels are fully covered, so that no coverages are
