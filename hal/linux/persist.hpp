@@ -10,7 +10,7 @@ namespace spangle::hal {
 void pause_micros(std::uint32_t micros);
 
 inline constexpr int most_interruptions = 1000;
-inline constexpr int most_patience = 100; ///< how often it waits for 1 ms
+inline constexpr int most_patience = 100; ///< how often a call waits for 1 ms
 
 /// Repeats a call while a signal interrupts it (EINTR) or the device is not ready (EAGAIN), within these
 /// bounds. Returns its last answer, which is negative on an error in errno.

@@ -44,7 +44,7 @@ class GudSender {
   private:
     GudSession& session_;
     const std::chrono::milliseconds poll_period_;
-    std::mutex mutex_; ///< whoever holds it may use the session
+    std::mutex mutex_; ///< whoever holds this lock may use the session
     std::condition_variable state_changed_;
     bool is_stopping_ = false;
     std::atomic<bool> is_sending_ = false;

@@ -41,7 +41,7 @@ class DmaPort {
 struct DmaMemory {
     /// Memory of the buffers, aligned to DmaBus::alignment.
     std::uint8_t* bytes = nullptr;
-    /// Bytes of that memory.
+    /// Bytes of the memory of the buffers.
     std::size_t size = 0;
     /// Memory for the list under way.
     Op* ops = nullptr;

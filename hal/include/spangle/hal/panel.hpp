@@ -85,7 +85,7 @@ struct Identity {
 struct FormatCode {
     /// Whether the controller takes the format.
     bool taken = false;
-    /// What its pixel format register is set to.
+    /// The code to which the controller's pixel format register is set.
     std::uint8_t code = 0;
 
     /// The controller does not take the format.

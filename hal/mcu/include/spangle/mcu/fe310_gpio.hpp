@@ -22,7 +22,7 @@ struct Fe310Gpio {
     /// An output line.
     constexpr RegisterPin pin(unsigned bit) const { return {base + output_val, bit}; }
 
-    /// Offsets of its registers.
+    /// Offsets of the block's registers.
     static constexpr std::uintptr_t output_en = 0x08, output_val = 0x0C, iof_en = 0x38, iof_sel = 0x3C;
 };
 

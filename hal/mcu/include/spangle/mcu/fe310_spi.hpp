@@ -51,7 +51,7 @@ class Fe310Spi {
         return take();
     }
 
-    /// Offsets of its registers.
+    /// Offsets of the block's registers.
     static constexpr std::uintptr_t sckdiv = 0x00, sckmode = 0x04, csmode = 0x18, fmt = 0x40, txdata = 0x48,
                                     rxdata = 0x4C;
 

@@ -27,7 +27,7 @@ struct Nrf51Timer {
         }
     }
 
-    /// Offsets of its registers.
+    /// Offsets of the block's registers.
     static constexpr std::uintptr_t task_start = 0x000, task_clear = 0x00C, task_capture = 0x040,
                                     mode = 0x504, bitmode = 0x508, prescaler = 0x510, cc = 0x540;
 

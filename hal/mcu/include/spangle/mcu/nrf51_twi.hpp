@@ -52,7 +52,7 @@ class Nrf51Twi {
         return fault;
     }
 
-    /// Offsets of its registers.
+    /// Offsets of the block's registers.
     static constexpr std::uintptr_t task_start_tx = 0x008, task_stop = 0x014, event_stopped = 0x104,
                                     event_sent = 0x11C, event_error = 0x124, enable = 0x500, pselscl = 0x508,
                                     pselsda = 0x50C, txd = 0x51C, frequency = 0x524, address = 0x588;

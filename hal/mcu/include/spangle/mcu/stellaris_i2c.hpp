@@ -31,7 +31,7 @@ class StellarisI2c {
     /// Sends the last byte, and STOP.
     hal::Fault end(std::uint8_t byte) const { return command(byte, run | stop_condition); }
 
-    /// Offsets of its registers.
+    /// Offsets of the block's registers.
     static constexpr std::uintptr_t msa = 0x00, mcs = 0x04, mdr = 0x08, mtpr = 0x0C, mcr = 0x20;
 
   private:

@@ -22,7 +22,7 @@ struct Stm32Gpio {
         mode(pin, 2);
     }
 
-    /// Offsets of its registers.
+    /// Offsets of the block's registers.
     static constexpr std::uintptr_t moder = 0x00, ospeedr = 0x08, bsrr = 0x18, afrl = 0x20;
 
   private:

@@ -48,7 +48,7 @@ class Stm32Spi {
         return static_cast<std::uint8_t>(reg(base_ + dr));
     }
 
-    /// Offsets of its registers.
+    /// Offsets of the block's registers.
     static constexpr std::uintptr_t cr1 = 0x00, sr = 0x08, dr = 0x0C;
 
   private:

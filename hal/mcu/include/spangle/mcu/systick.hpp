@@ -11,7 +11,7 @@ namespace spangle::mcu {
 struct SysTick {
     std::uint32_t clock_hz; ///< clock of the processor, below 4.29 GHz
 
-    /// Addresses of its registers.
+    /// Addresses of the timer's registers.
     static constexpr std::uintptr_t control = 0xE000E010, reload = 0xE000E014, current = 0xE000E018;
     /// The longest count: it has 24 bits.
     static constexpr std::uint32_t most_ticks = 0xFFFFFF;

@@ -39,7 +39,7 @@ struct FtdiConfig {
     FtdiPins pins;
     /// A thread carries the lists while the next frame is drawn; else submit() does.
     bool asynchronous = true;
-    std::uint32_t timeout_ms = 1000; ///< how long it waits beyond the time of the bytes on the wire
+    std::uint32_t timeout_ms = 1000; ///< time that the bus waits beyond that of the bytes on the wire
 };
 
 /// The configuration of the bus that a board describes, at the first adapter that is plugged in.
