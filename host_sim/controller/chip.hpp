@@ -37,7 +37,7 @@ constexpr std::uint8_t depths(std::initializer_list<int> values) {
 }
 
 struct Chip {
-    hal::Controller controller{}; ///< the controller that this models
+    hal::Controller controller{}; ///< the controller that the entry models
     const char* name;
     int width, height; ///< size of the frame memory in cells, as MADCTL 00h addresses it
     std::array<MemorySize, 2> other_sizes{}; ///< further memories that pins of the chip select

@@ -15,7 +15,7 @@ struct Target {
     Kind kind = Kind::window;
     XID native = 0;    ///< id of the window or pixmap in X
     bool made = false; ///< made by glXCreateWindow or its like; false: a plain window of the program
-    GLXFBConfig config = nullptr; ///< configuration of its surface
+    GLXFBConfig config = nullptr; ///< configuration of the drawable's surface
     EGLSurface surface = EGL_NO_SURFACE;
     int width = 0, height = 0; ///< size of a pbuffer, in pixels
     unsigned long events = 0;

@@ -32,7 +32,7 @@ struct Measured {
     /// Bytes of a frame after the first, sent to an ILI9341; 0 unless frames are in 565 and of its size.
     std::uint64_t bus_bytes = 0;
     sim::Image picture, reference, plain; ///< last frame: the tier; double; double in eight bits
-    std::string problem;                  ///< why it cannot be drawn; empty if it was
+    std::string problem;                  ///< why the program cannot be drawn; empty if it was
 };
 
 Measured measure(const Program& program, const Tier& tier, const Format& format, const Setting& setting);

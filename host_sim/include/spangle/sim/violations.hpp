@@ -36,7 +36,7 @@ struct Violation {
     Rule rule;
     /// A sentence for people, with the numbers.
     std::string text;
-    /// When it happened.
+    /// The time of the violation.
     Time at;
 };
 
