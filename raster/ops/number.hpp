@@ -99,7 +99,8 @@ struct Exact {
     SPANGLE_INLINE static T from_units(std::uint32_t c) { return c; }
     /// A component from the word of an interpolated colour of a span (8.24).
     SPANGLE_INLINE static T from_affine(L::U32 v) {
-        // Set-up has added this bias. A value that rounding has taken below the bias counts as 0.
+        // The bias that set-up has added to the colour. A value that rounding has taken below the bias counts
+        // as 0.
         constexpr std::uint32_t bias = 1u << 15;
         const std::uint32_t c = v < bias ? 0 : (v - bias) >> (24 - color_fraction_bits);
         return c < one ? c : one;

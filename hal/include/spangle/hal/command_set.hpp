@@ -34,7 +34,7 @@ constexpr bool names_one(Axis axis) {
 /// A register that follows from orientation, colour order, inversion and pixel format. Its value is `base`.
 /// Each property that holds changes bits of it, and the format adds its code.
 struct Setting {
-    /// The register's command, or with `in_command` its base.
+    /// The register's command. With `in_command` it is the command without the bits of the value.
     std::uint8_t command = 0;
     bool in_command = false; ///< true: the value is part of the command; false: it is a parameter
     /// The value where no property holds.
