@@ -57,7 +57,7 @@ struct ObjectVertex {
 };
 
 template <class M> struct Vertex : ObjectVertex {
-    std::uint32_t flags = 0; ///< set of the bits above
+    std::uint32_t flags = 0; ///< set of the flags above
 #if SPANGLE_VERTEX_CACHE != 1
     /// A cached vertex is valid while this equals the epoch of the VertexCache, its value when the vertex was
     /// processed.

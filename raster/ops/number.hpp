@@ -227,7 +227,7 @@ template <int Count> struct Balanced {
         const T rest = L::splat(one) - a;
         const T stored = Bits == 8 ? L::mul_high(k << 8, rest) : k * over_weight<Bits>(rest);
         const T x = L::mul_high(s, a) + stored + 128;
-        return x + (x >> 8) - 128; // times 256 / 255, so that the 8 bits are rounded exactly
+        return x + (x >> 8) - 128; // multiplies by 256 / 255, which rounds the 8 bits exactly
     }
     /// What over_weight() multiplies with, and what it adds first in order to round to nearest.
     static constexpr std::uint32_t over_scale(unsigned bits) { return bits == 5 ? 2105 : 1036; }

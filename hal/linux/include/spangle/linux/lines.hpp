@@ -63,7 +63,8 @@ class Lines {
 
     Result<void> open_checked(const char* chip, std::span<const unsigned> offsets,
                               const std::uint32_t* levels);
-    /// `levels`: of outputs; null: inputs. Chip and offsets were checked and are named.
+    /// Requests lines as outputs with `levels` or, where that is null, as inputs. Chip and offsets were
+    /// checked, and errors name them.
     Result<void> open(const char* chip, std::span<const unsigned> offsets, const std::uint32_t* levels);
     template <class Call> Result<void> run(const char* operation, Call call);
     Error failed(const char* operation);
