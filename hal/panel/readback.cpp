@@ -49,7 +49,8 @@ std::uint32_t big_endian(const std::uint8_t* bytes, int count) {
     return value;
 }
 
-/// Two bytes a pixel to three, in place: from the last, so that none is overwritten before it is read.
+/// Widens pixels from two bytes to three, in place. It begins with the last pixel, so that none is
+/// overwritten before it is read.
 void widen_565(std::uint8_t* rgb, std::uint32_t pixels) {
     for (std::uint32_t i = pixels; i-- > 0;) {
         const unsigned word = static_cast<unsigned>(rgb[2 * i]) << 8 | rgb[2 * i + 1];

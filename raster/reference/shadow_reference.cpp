@@ -15,7 +15,7 @@ thread_local ShadowReport* current_report = nullptr;
 // repeats is a fraction of the image with 32 bits. A coordinate that is clamped is signed and has 28 fraction
 // bits.
 constexpr double word_24 = 0x1p-24, word_32 = 0x1p-32, word_28 = 0x1p-28;
-/// A clamped coordinate is saturated where it is nearer to 8 repeats than this.
+/// A clamped coordinate counts as saturated below this distance from 8 repeats.
 constexpr double saturation = 0x1p-27;
 /// NEAREST adds this to the place of a coordinate, in texels, so that edges of texels fall to one side.
 constexpr double nearest_bias = 0x1p-13;
