@@ -38,7 +38,7 @@ class TransferBus : public Bus {
     /// After Fault::timeout the list is still under way. Outcomes of the last 16 lists are remembered.
     Result<void> wait(Token token, std::uint32_t timeout_micros) final;
 
-    /// Switches a backlight that has a wire of its own. Fault::busy: a list is under way.
+    /// Switches a backlight that has a line of its own. Fault::busy: a list is under way.
     Result<void> backlight(bool on);
 
   protected:
