@@ -14,10 +14,6 @@ namespace spangle::gl {
 /// What of a vertex is to be computed again.
 enum class Stale : std::uint8_t { nothing, colors, all };
 
-} // namespace spangle::gl
-
-namespace spangle::gl {
-
 template <class M, class L> class Shading : public VertexStage<M> {
     using Base = VertexStage<M>;
 

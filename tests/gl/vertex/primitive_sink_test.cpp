@@ -24,9 +24,6 @@ class PrimitiveSinkAlone : public VertexParts {
             part_->process(*corner_[i], x + (i == 1 || i == 2 ? 0.5f : 0.0f), i >= 2 ? 0.5f : 0.0f, 0);
         }
     }
-    static bool is_at(const raster::FixedVertex& v, const Vertex& corner) {
-        return v.x == corner.window.x && v.y == corner.window.y;
-    }
 };
 
 TEST_F(PrimitiveSinkAlone, DrawsATriangleProvokedByItsLastCorner) {

@@ -17,11 +17,6 @@ class ShadingAlone : public VertexParts {
         const GLfloat emission[4] = {red, 0, 0, 1};
         glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, emission);
     }
-    static float red(const Vertex& v) {
-        numeric::Real color[4];
-        gl::FixedMath::color_of(v.window, color);
-        return numeric::to_float(color[0]);
-    }
 };
 
 TEST_F(ShadingAlone, DerivesOnlyWhatChanged) {
@@ -45,7 +40,7 @@ TEST_F(ShadingAlone, GivesUnlitVerticesTheCurrentColor) {
         glColor4f(color, 0, 0, 1);
         part_->process(v, 0, 0, 0);
         EXPECT_EQ(v.flags & gl::uncolored, 0u);
-        EXPECT_NEAR(red(v), color, 1e-4);
+        EXPECT_NEAR(red(v.window), color, 1e-4);
     }
 }
 
@@ -58,14 +53,14 @@ TEST_F(ShadingAlone, LightsAVertexOnceAndOnlyWhenAsked) {
     EXPECT_NE(v.flags & gl::uncolored, 0u);
     part_->color(v);
     EXPECT_EQ(v.flags & gl::uncolored, 0u);
-    const float lit = red(v);
+    const float lit = red(v.window);
     set_emission(0.75f);
     part_->begin(GL_TRIANGLES);
     part_->color(v);
-    EXPECT_EQ(red(v), lit);
+    EXPECT_EQ(red(v.window), lit);
     v.flags |= gl::uncolored;
     part_->color(v);
-    EXPECT_NEAR(red(v), lit + 0.5f, 1e-3);
+    EXPECT_NEAR(red(v.window), lit + 0.5f, 1e-3);
 }
 
 /// The corners that wait for a complete primitive keep the material of their time.
@@ -82,8 +77,8 @@ TEST_F(ShadingAlone, SettlesTheColorsOfTheCornersThatWait) {
     part_->begin(GL_TRIANGLES);
     for (int i = 0; i < 3; ++i)
         part_->color(part_->vertex_slot_[i]);
-    EXPECT_EQ(red(part_->vertex_slot_[0]), red(part_->vertex_slot_[1]));
-    EXPECT_NEAR(red(part_->vertex_slot_[2]), red(part_->vertex_slot_[0]) + 0.5f, 1e-3);
+    EXPECT_EQ(red(part_->vertex_slot_[0].window), red(part_->vertex_slot_[1].window));
+    EXPECT_NEAR(red(part_->vertex_slot_[2].window), red(part_->vertex_slot_[0].window) + 0.5f, 1e-3);
 }
 
 } // namespace

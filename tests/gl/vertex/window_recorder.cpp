@@ -33,14 +33,14 @@ spangle::test::WindowRecorder* active = nullptr;
 void wrap_point(const DrawState& state, const Surface& target, const FixedVertex& v, std::int32_t size) {
     if (active == nullptr)
         return real_point(state, target, v, size);
-    active->primitives.push_back({1, {v, {}, {}}, v});
+    active->primitives.push_back({1, {v, {}, {}}, v, size, 0});
 }
 
 void wrap_line(const DrawState& state, const Surface& target, const FixedVertex& a, const FixedVertex& b,
                const FixedVertex& provoking, std::int32_t width) {
     if (active == nullptr)
         return real_line(state, target, a, b, provoking, width);
-    active->primitives.push_back({2, {a, b, {}}, provoking});
+    active->primitives.push_back({2, {a, b, {}}, provoking, width, 0});
 }
 
 void wrap_lines(const DrawState& state, const Surface& target, const FixedVertex* const* vertex, int n,
@@ -54,14 +54,14 @@ void wrap_lines(const DrawState& state, const Surface& target, const FixedVertex
         return v;
     };
     for (int i = 0; i + 1 < n; i += step)
-        active->primitives.push_back({2, {at(i), at(i + 1), {}}, at(i + 1)});
+        active->primitives.push_back({2, {at(i), at(i + 1), {}}, at(i + 1), width, 0});
 }
 
 void wrap_triangle(const DrawState& state, const Surface& target, const FixedVertex& a, const FixedVertex& b,
                    const FixedVertex& c, const FixedVertex& provoking, std::int64_t area2) {
     if (active == nullptr)
         return real_triangle(state, target, a, b, c, provoking, area2);
-    active->primitives.push_back({3, {a, b, c}, provoking});
+    active->primitives.push_back({3, {a, b, c}, provoking, 0, area2});
 }
 
 namespace spangle::test {
