@@ -53,6 +53,10 @@ template <class Part> struct Alone : Part {
 /// The context's own pipeline must derive everything anew after a part has taken the changes.
 class VertexParts : public Canvas {
   protected:
+    void SetUp() override {
+        Canvas::SetUp();
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    }
     void TearDown() override {
         gl::current_context()->changed(gl::dirty_all);
         Canvas::TearDown();
