@@ -18,7 +18,9 @@ template <class Part> struct Alone : Part {
     using Part::assembler_;
     using Part::context_;
     using Part::modes_;
+    using Part::set_attributes_of;
     using Part::state_;
+    using Part::transform_vertex;
     using Part::transforms_;
     using Part::vertex_slot_;
 
