@@ -120,6 +120,30 @@ TEST(PrimitiveAssemblerAlone, RestartsAStrip) {
     EXPECT_EQ(sink.told, (Told{"triangle 0 1 2", "triangle 5 6 7", "triangle 7 6 8"}));
 }
 
+/// Pieces of a draw begin anew in each mode that is divided into pieces, after any number of vertices.
+TEST(PrimitiveAssemblerAlone, RestartsInEachMode) {
+    for (const GLenum mode : {GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_TRIANGLES, GL_TRIANGLE_STRIP,
+                              GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON})
+        for (int before = 0; before < 9; ++before) {
+            Numbered slots[Assembler::slot_count];
+            Assembler assembler;
+            Listing sink;
+            assembler.begin(mode, slots);
+            const auto give = [&](int n) {
+                sink.told.clear();
+                for (int i = 0; i < n; ++i) {
+                    assembler.next().number = i;
+                    if (assembler.take_next())
+                        assembler.complete(sink);
+                }
+            };
+            give(before);
+            assembler.restart();
+            give(8);
+            EXPECT_EQ(sink.told, assembled(mode, 8, false)) << "mode " << mode << ", after " << before;
+        }
+}
+
 TEST(PrimitiveAssemblerAlone, PlacesAVertexBesideTheCorners) {
     Numbered slots[Assembler::slot_count], cached, other;
     Assembler assembler;
