@@ -140,7 +140,9 @@ def pragma():
 def export(folder):
     """Fills src/ with every room under its own name and the public headers under spangle/, so that src is the only include path."""
     source = folder / "src"
-    for room in ABOUT["rooms"]:
+    for room in (room + way for room in ABOUT["rooms"] for way in ("", "/speed", "/size")):
+        if not (ROOT / room).is_dir():
+            continue
         (source / room).mkdir(parents=True, exist_ok=True)
         for path in (ROOT / room).iterdir():
             if path.suffix in (".cpp", ".hpp", ".h", ".inc") and not path.name.endswith("_reference.cpp"):

@@ -1,24 +1,11 @@
-#include "raster/primitive/line_batch.hpp"
+#include "raster/primitive/draw_solid_line.hpp"
 
 namespace spangle::raster {
-
-namespace {
-
-/// True in small builds with stipples: they draw solid lines by the stippled loop, with a stipple that leaves
-/// all fragments. Builds with records do not, because records would keep this stipple.
-constexpr bool stipples_all = SPANGLE_FEATURE_STIPPLE && !SPANGLE_HAS_RECORDS && !has_shortcuts;
-
-} // namespace
 
 template <>
 void draw_line<FixedVertex>(const DrawState& state, const Surface& target, const FixedVertex& a,
                             const FixedVertex& b, const FixedVertex& provoking, std::int32_t width) {
-    if constexpr (has_paths)
-        draw_line_by<HostLines>(state, target, a, b, provoking, width);
-    else if constexpr (LineStipple all; stipples_all)
-        draw_stippled_line(state, target, a, b, provoking, width, all);
-    else
-        draw_line_of<Fixed>(state, target, a, b, provoking, width);
+    draw_solid_line(state, target, a, b, provoking, width);
 }
 
 template <>

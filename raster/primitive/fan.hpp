@@ -3,6 +3,7 @@
 #pragma once
 
 #include "raster/primitive/area.hpp"
+#include "raster/primitive/fan_memory.hpp"
 #include "raster/primitive/triangle.hpp"
 
 namespace spangle::raster {
@@ -122,9 +123,7 @@ inline bool have_equal_attributes(const ShadowVertex& a, const ShadowVertex& b) 
 
 /// The covered centres of one row: those of the whole fan, and, where they are kept, those of each triangle.
 struct FanRow {
-    static constexpr int kept = !has_shortcuts   ? 0
-                                : host_lanes > 1 ? 6
-                                                 : 2; ///< largest number of triangles in `triangle_columns`
+    static constexpr int kept = kept_fan_triangles;
     std::int32_t row = 0;
     detail::Columns all, triangle_columns[kept == 0 ? 1 : kept];
 };

@@ -234,34 +234,12 @@ void Setup<Fixed>::constant_colors(const Vertex& painted) {
 
 // --- the cheapest kind within the tier's bounds
 
-/// The bits in which the colours of the three vertices differ (difference_bits()).
-template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_bits() const {
-    std::uint32_t bits = 0;
-    each_color<Rgb>([&](const ColorSource& from, int i, auto&, auto&) {
-        bits |= difference_bits(from.difference(1, i), from.difference(2, i));
-    });
-    return bits;
-}
-
-/// A condition that implies colors_affine() and does not need weights(). A range is at most the sum of two
-/// differences. q is at least 2^29 where all vertices have one exponent.
-SPANGLE_INLINE bool Setup<Fixed>::nearly_affine(std::uint32_t bits) const {
-    const Vertex &a = v(0), &b = v(1), &c = v(2);
-    if (a.w_exponent != b.w_exponent || a.w_exponent != c.w_exponent)
-        return false;
-    const std::uint32_t q = a.w_mantissa >> 2;
-    const auto difference = [&](const Vertex& v) {
-        return abs_u32(static_cast<std::int32_t>((v.w_mantissa >> 2) - q));
-    };
-    return numeric::mul_high_u32(2 * bits, difference(b) + difference(c)) < state_.four_color_tolerances >> 3;
-}
-
 /// Whether colours whose differences are `bits` must be divided at every fragment. Where they may be guessed,
 /// `bits` becomes twice their range.
 template <bool Rgb> SPANGLE_INLINE bool Setup<Fixed>::needs_division(std::uint32_t bits) {
     if (Rgb && state_.guesses)
         return !weights() && !is_within_tolerance(widest_color_range_, state_.four_color_tolerances);
-    return !(has_shortcuts && nearly_affine(bits)) && !weights() && !colors_affine(bits);
+    return !nearly_affine(bits) && !weights() && !colors_affine(bits);
 }
 
 /// Sets up attributes of states without textures and fog.
@@ -304,10 +282,7 @@ template <bool Rgb> SPANGLE_INLINE void Setup<Fixed>::attributes_of(const Vertex
     if constexpr (!Rgb)
         span_.gray = false; // spans of smooth_rgb never read `gray`
     const Vertex& painted = flat ? provoking : v(0);
-    const std::uint32_t bits = flat                      ? 0
-                               : !has_shortcuts          ? color_range<Rgb>()
-                               : !Rgb || !state_.guesses ? color_bits<Rgb>()
-                                                         : 2 * (widest_color_range_ = color_range<Rgb>());
+    const std::uint32_t bits = flat ? 0 : color_bits<Rgb>();
     if (state_.needs.z && !has_24_bits())
         add_depth();
     if constexpr (Rgb) {
@@ -340,12 +315,8 @@ Setup<Fixed>::Area Setup<Fixed>::area_of(const Vertex& a, const Vertex& b, const
     const std::int32_t x1 = b.x - a.x, x2 = c.x - a.x;
     const auto height = static_cast<std::uint32_t>(c.y - a.y);
     const std::uint64_t area = numeric::abs_u64(area2), most = thin_aspect * area;
-    // No box is wider than the sum of |x1| and |x2|.
-    if ((!has_shortcuts || numeric::mul_u32(abs_u32(x1) + abs_u32(x2), height) > most) &&
-        numeric::mul_u32(range_of(0, x1, x2), height) > most)
+    if (numeric::mul_u32(range_of(0, x1, x2), height) > most)
         return {};
-    if (has_shortcuts && area >> 32 == 0)
-        return {static_cast<std::uint32_t>(area), 0, area2 < 0 ? -1 : 1};
     const int zeros = numeric::clz64(area);
     return {numeric::high_word_before(area, zeros), 32 - zeros, area2 < 0 ? -1 : 1};
 }
@@ -368,10 +339,7 @@ Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const V
         if (has_24_bits())
             add_depth_24(a, b, c);
     }
-    if (has_shortcuts && state_.smooth_rgb)
-        attributes_of<true>(provoking);
-    else
-        attributes(provoking);
+    triangle_attributes(provoking);
     if (has_24_bits() && area.word != 0)
         add_depth_24(a, b, c);
 }

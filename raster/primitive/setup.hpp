@@ -119,9 +119,11 @@ template <> class Setup<Fixed> {
     template <bool Rgb> void attributes_of(const Vertex& provoking);
     [[gnu::noinline]] void set_up_exact_colors(std::uint32_t bits);
     void attributes(const Vertex& provoking);
+    void triangle_attributes(const Vertex& provoking);
     template <bool Rgb> void set_up_without_coordinates(std::uint32_t color_bits, const Vertex& painted);
     void set_up_with_coordinates(std::uint32_t color_bits, const Vertex& painted);
     bool weights();
+    void load_weights();
     void weights_of_several_exponents();
     void load_unit(int unit, UnitValues& u) const;
     void load_homogeneous(int unit, UnitValues& u) const;
@@ -129,9 +131,10 @@ template <> class Setup<Fixed> {
     void load_any_fog(std::int32_t fog[3]) const;
     bool is_within_tolerance(std::uint32_t range, std::uint64_t four_tolerances) const;
     bool unit_affine(int unit, const UnitValues& u, bool same_w) const;
-    template <bool Rgb> std::uint32_t color_bits() const;
+    template <bool Rgb> std::uint32_t color_bits();
     bool nearly_affine(std::uint32_t bits) const;
     bool colors_affine(std::uint32_t bits);
+    bool colors_within_tolerance(std::uint32_t bits, std::uint32_t four) const;
     template <bool Rgb> std::uint32_t color_range() const;
     template <bool Rgb> bool needs_division(std::uint32_t bits);
     bool is_gray(std::uint32_t color_bits, const Vertex& painted) const;

@@ -5,6 +5,7 @@
 
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/ops/number.hpp"
+#include "raster/primitive/scaled_words.hpp"
 #include "raster/span/draw_state.hpp"
 #include "raster/span/of_tier.hpp"
 #include "raster/span/vertex.hpp"
@@ -27,28 +28,6 @@ SPANGLE_RUN_INLINE std::uint32_t range_of(std::int32_t a, std::int32_t b, std::i
     return Ends(a, b, c).range();
 }
 
-/// v * 2^-n for any n. A right shift rounds to nearest, and a left shift is modulo 2^64.
-SPANGLE_INLINE std::int64_t shift(std::int64_t v, int n) {
-    if (n > 0)
-        return n > 62 ? 0 : (numeric::times_two_to(v, 1 - n) + 1) >> 1;
-    return n < -63 ? 0 : numeric::times_two_to(v, -n);
-}
-
-/// v 2^-n for any n. A right shift rounds down, which loses less than the last bit of an interpolant. A left
-/// shift is modulo 2^64.
-inline std::int64_t scaled(std::int64_t v, int n) {
-    if (n >= 0)
-        return numeric::times_two_to(v, -n);
-    return shift(v, n);
-}
-
-/// Both words of scaled(v, n). With words of 32 bits, 0 < n < 32 takes four instructions.
-SPANGLE_INLINE std::uint64_t scaled_words(std::int64_t v, int n) {
-    if (!has_shortcuts || numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
-        return static_cast<std::uint64_t>(scaled(v, n));
-    return static_cast<std::uint64_t>(numeric::words_after(v, n));
-}
-
 /// Sets out to product 2^-(down + 1), rounded to nearest, where that is below 2^29. Returns false where it
 /// may not be.
 SPANGLE_INLINE bool half_below(std::int64_t product, int down, std::int32_t& out) {
@@ -59,15 +38,6 @@ SPANGLE_INLINE bool half_below(std::int64_t product, int down, std::int32_t& out
     const std::int64_t sum = product + ((1u << down) - sign);
     out = static_cast<std::int32_t>(numeric::low_word_after(sum, static_cast<int>(n)));
     return (static_cast<std::uint32_t>(sum >> 32) ^ sign) >> (n - 3) == 0;
-}
-
-/// The low word of scaled(v, n). With words of 32 bits, 0 < n < 32 takes three instructions.
-SPANGLE_INLINE std::uint32_t scaled_word(std::int64_t v, int n) {
-    if (!has_shortcuts)
-        return static_cast<std::uint32_t>(scaled_words(v, n));
-    if (numeric::wide_words || n <= 0 || n >= 32) [[unlikely]]
-        return static_cast<std::uint32_t>(scaled(v, n));
-    return numeric::low_word_after(v, n);
 }
 
 /// z (2^bits - 1) 2^(32 - bits) of the z of a vertex, for a depth buffer of `bits` bits. 1 becomes 2^32 minus
@@ -135,11 +105,7 @@ SPANGLE_INLINE std::uint32_t difference_bits(std::int32_t d1, std::int32_t d2) {
     return (a ^ a << 1) | (b ^ b << 1);
 }
 
-/// Whether words hold differences with these difference_bits() 2^lift times as large. Products of such words
-/// with coefficients below 2^30 need no shift by n = 32 - lift, because their high words are the result.
-SPANGLE_INLINE bool fits_lifted(std::uint32_t bits, std::uint32_t lift) {
-    return has_shortcuts && lift <= static_cast<std::uint32_t>(numeric::clz32(bits | 1));
-}
+/// A difference 2^lift times as large, for which fits_lifted() holds.
 SPANGLE_INLINE std::int32_t shift_by_lift(std::int32_t d, std::uint32_t lift) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(d) << lift);
 }

@@ -4,6 +4,7 @@
 
 #include "raster/ops/lanes.hpp"
 #include "raster/ops/line_lanes.hpp"
+#include "raster/primitive/color_bounds.hpp"
 #include "raster/primitive/setup.hpp"
 #include "raster/primitive/setup_math.hpp"
 
@@ -36,17 +37,7 @@ SPANGLE_INLINE static void add_lifted(Interpolant<std::uint32_t>& at, std::uint3
     at.value = first + lifted_word(a, b, by.center);
 }
 
-/// Calls add(source, component, plane, projective plane) for all colour components that the state needs. In
-/// this file, Rgb says that the state is DrawState::smooth_rgb. Calls are inlined where code may be large, or
-/// where a build has no Kind::full and so few of them.
-template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::each_color(F add) const {
-    if constexpr (has_shortcuts || !has_full)
-        every_color<Rgb>(add);
-    else
-        any_color(
-            {&add, [](void* f, const ColorSource& from, int i, Interpolant<std::uint32_t>& at,
-                      Interpolant<std::uint64_t>& over_w) { (*static_cast<F*>(f))(from, i, at, over_w); }});
-}
+/// Does what each_color() does, inline.
 template <bool Rgb, class F> SPANGLE_INLINE void Setup<Fixed>::every_color(F add) const {
     const Needs& needs = state_.needs;
     if (Rgb || needs.rgb) {
@@ -96,13 +87,7 @@ template <bool Rgb> SPANGLE_INLINE std::uint32_t Setup<Fixed>::color_range() con
 /// Loads 1/w of the reference vertices with one exponent, and its range. Returns true where 1/w does not
 /// vary.
 SPANGLE_INLINE bool Setup<Fixed>::weights() {
-    if (has_shortcuts && v(0).w_exponent == v(1).w_exponent && v(0).w_exponent == v(2).w_exponent)
-        [[likely]] {
-        for (int i = 0; i < 3; ++i) // mantissas have their top bit set
-            q(i) = static_cast<std::int32_t>(v(i).w_mantissa >> 2);
-    } else {
-        weights_of_several_exponents();
-    }
+    load_weights();
     const Ends ends(q(0), q(1), q(2));
     q_range_ = ends.range();
     q_least_ = static_cast<std::uint32_t>(ends.low);

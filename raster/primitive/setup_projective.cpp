@@ -73,9 +73,7 @@ bool Setup<Fixed>::colors_affine(std::uint32_t bits) {
     constexpr bool any = SPANGLE_OWN_TIERS || (has_given_knobs && given_knobs.affine_color_bits == 0);
     if ((any || !has_chain) && four == any_color_tolerance)
         return true;
-    if constexpr (!has_shortcuts)
-        return is_within_tolerance(bits, four); // without shortcuts `bits` is the range of colours
-    return is_within_tolerance(2 * bits, four) || is_within_tolerance(color_range<false>(), four);
+    return colors_within_tolerance(bits, four);
 }
 
 } // namespace spangle::raster
