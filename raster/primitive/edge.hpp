@@ -223,8 +223,8 @@ template <class E> class TriangleRows {
     }
 
     /// Writes rows that hold a centre, until `to` is full or the triangle ends. Returns the end of the
-    /// written rows. Rows are clipped to columns [begin, end).
-    Row* fill(Row* to, int room, std::int32_t begin, std::int32_t end) {
+    /// written rows. Cut: rows are clipped to columns [begin, end).
+    template <bool Cut> Row* fill(Row* to, int room, std::int32_t begin, std::int32_t end) {
         const Row* const full = to + room;
         while (to != full) {
             if (current_row_ == middle_row_) {
@@ -239,7 +239,11 @@ template <class E> class TriangleRows {
             const std::int32_t stop = middle_row_;
             do {
                 const std::int32_t l = left.column(), r = right.column();
-                const std::int32_t from = l < begin ? begin : l, till = r < end ? r : end;
+                std::int32_t from = l, till = r;
+                if constexpr (Cut) {
+                    from = l < begin ? begin : l;
+                    till = r < end ? r : end;
+                }
                 if (from < till)
                     *to++ = {y, l, r, from, till};
                 left.step();

@@ -23,7 +23,7 @@ inline std::int64_t scaled(std::int64_t v, int n) {
 }
 
 /// m * 2^exponent with `fraction` fraction bits, saturated below 2^61.
-inline std::int64_t to_fixed(std::int64_t m, int exponent, int fraction) {
+[[gnu::noinline]] inline std::int64_t to_fixed(std::int64_t m, int exponent, int fraction) {
     const int up = exponent + fraction;
     if (up <= 0)
         return shift(m, -up < 62 ? -up : 62);

@@ -5,6 +5,7 @@
 
 #include "raster/primitive/draw.hpp"
 #include "raster/primitive/edge.hpp"
+#include "raster/primitive/fill_rows.hpp"
 #include "raster/primitive/keep.hpp"
 #include "raster/primitive/pen.hpp"
 
@@ -117,7 +118,7 @@ void draw_rows(Pen<P>& pen, const Sorted<typename P::Vertex>& t, const typename 
     TriangleRows<E> rows(xs, ys, t.area2 < 0, pen.row_begin(), pen.row_end());
     Row* const begin = pen.rows();
     Row* const full = begin + pen.batch;
-    const auto fill = [&] { return rows.fill(begin, pen.batch, pen.column_begin(), pen.column_end()); };
+    const auto fill = [&] { return fill_rows(rows, pen, begin); };
     Row* end = fill();
     if (end == begin)
         return;

@@ -22,8 +22,8 @@ SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
 }
 
 /// Does what add_steep() does for one coordinate.
-inline void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first,
-                                    const std::int32_t v[3], int up) {
+[[gnu::noinline]] inline void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first,
+                                                      const std::int32_t v[3], int up) {
     add_steep(at, first, v[1] - v[0], v[2] - v[0], up);
 }
 

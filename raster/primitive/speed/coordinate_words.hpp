@@ -37,8 +37,8 @@ SPANGLE_INLINE void Setup<Fixed>::load_fog(std::int32_t fog[3]) const {
 }
 
 /// Does what add_steep() does for one coordinate. It is inline where fits_lifted() holds for the differences.
-inline void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first,
-                                    const std::int32_t v[3], int up) {
+[[gnu::noinline]] inline void Setup<Fixed>::add_words(Interpolant<std::uint32_t>& at, std::uint32_t first,
+                                                      const std::int32_t v[3], int up) {
     const std::int32_t d1 = v[1] - v[0], d2 = v[2] - v[0];
     const int n = by().exponent - up;
     if (const auto lift = static_cast<std::uint32_t>(32 - n); fits_lifted(difference_bits(d1, d2), lift))

@@ -75,7 +75,7 @@ TEST(Coverage, EveryKindOfEdgeWalksTheSameRows) {
             Row buffer[5];
             Listed out;
             for (const Row* end = buffer + 5; end == buffer + 5;)
-                out.add(buffer, end = triangle.fill(buffer, 5, clip.x, clip.x + clip.w));
+                out.add(buffer, end = triangle.template fill<true>(buffer, 5, clip.x, clip.x + clip.w));
             return out;
         };
         Row buffer[16];
