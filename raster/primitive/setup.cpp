@@ -2,6 +2,7 @@
 
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/primitive/setup_math.hpp"
+#include "raster/primitive/triangle_area.hpp"
 
 namespace spangle::raster {
 
@@ -314,11 +315,10 @@ Setup<Fixed>::Area Setup<Fixed>::area_of(const Vertex& a, const Vertex& b, const
                                          std::int64_t area2) {
     const std::int32_t x1 = b.x - a.x, x2 = c.x - a.x;
     const auto height = static_cast<std::uint32_t>(c.y - a.y);
-    const std::uint64_t area = numeric::abs_u64(area2), most = thin_aspect * area;
-    if (numeric::mul_u32(range_of(0, x1, x2), height) > most)
+    const std::uint64_t area = numeric::abs_u64(area2);
+    if (is_box_beyond(thin_aspect * area, x1, x2, height))
         return {};
-    const int zeros = numeric::clz64(area);
-    return {numeric::high_word_before(area, zeros), 32 - zeros, area2 < 0 ? -1 : 1};
+    return area_word(area, area2 < 0 ? -1 : 1);
 }
 
 Setup<Fixed>::Setup(Span<Fixed>& span, const Vertex& a, const Vertex& b, const Vertex& c,

@@ -113,6 +113,7 @@ template <> class Setup<Fixed> {
     bool colors_stay_inside(std::uint32_t range) const;
     void snap_where_w_ends();
     void along_axis(const Vertex& from, const Vertex& to, const Axis& axis);
+    static Area area_word(std::uint64_t area, std::int32_t sign);
     static Area area_of(const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t area2);
     void along_longer_axis(const Vertex& a, const Vertex& b, const Vertex& c);
     void in_plane(std::uint32_t top, int zeros, bool negative);
