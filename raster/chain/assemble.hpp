@@ -4,6 +4,7 @@
 
 #include "raster/chain/chain.hpp"
 #include "raster/chain/shared_rows.hpp"
+#include "raster/chain/stage_choice.hpp"
 #include "raster/ops/stage_antialias.hpp"
 #include "raster/ops/stage_blend_packet.hpp"
 #include "raster/ops/stage_color.hpp"
@@ -108,9 +109,7 @@ template <class N> void add_tests(ChainBuilder<N>& chain, const Key& key) {
     using Offset24 = OffsetDepthValue<System, DepthValueOf<System, DepthFormat::z24s8>>;
     if (SPANGLE_FEATURE_STIPPLE && key.polygon_stipple)
         chain.template add<PolygonStipple<SingleLane>>();
-    // In builds without shortcuts every depth goes through the offset stage, with an offset of 0 where GL
-    // sets none.
-    const bool offset = SPANGLE_FEATURE_POLYGON_OFFSET && (key.depth_offset || !has_shortcuts);
+    const bool offset = SPANGLE_FEATURE_POLYGON_OFFSET && offsets_depth(key);
     bool depth = key.depth_offset || key.depth != Compare::always || key.depth_write;
     if constexpr (has_format(DepthFormat::z24s8)) {
         if (key.stencil) {
@@ -140,15 +139,9 @@ template <class N> void add_hidden_test(ChainBuilder<N>& chain, const Key& key) 
             chain, key);
 }
 
-template <class N> inline constexpr bool is_fixed = std::is_same_v<typename N::Policy, Fixed>;
-
 /// True where PacketTexture samples textures a packet at a time. Otherwise Texture2D samples single
 /// fragments, with the same bytes.
 template <class N> inline constexpr bool by_packets = is_fixed<N>;
-
-/// True where stages that differ by a parameter are separate functions. Small builds have one function for
-/// all values of the parameter.
-template <class N> inline constexpr bool by_stages = !is_fixed<N> || has_shortcuts;
 
 /// Whether texture coordinates have the runs of another tier than the one whose number system this is: cubic
 /// runs with balanced numbers, or straight runs with exact numbers.
@@ -159,8 +152,6 @@ template <class N> constexpr bool has_other_runs([[maybe_unused]] const Key& key
     return false;
 #endif
 }
-/// True where attributes over w are divided in lanes. All of them are multiplied by one 1/w.
-template <class N> inline constexpr bool by_lanes = is_fixed<N> && (N::lanes > 1);
 template <class N> void add_inverses(ChainBuilder<N>& chain, const Key& key) {
     if constexpr (by_lanes<N>) {
         const bool colors = key.kind == Kind::full && (key.color || key.color_sum) && !key.pixels,
@@ -280,13 +271,6 @@ template <class N, PixelFormat Format, class Chain> void add_coarse(Chain& chain
         chain.template choose<BlendCoarse<N, Format, true>, BlendCoarse<N, Format, false>>(dither);
 }
 
-template <class N, PixelFormat Format> void add_any_blending(ChainBuilder<N>& chain) {
-    if constexpr (by_lanes<N> || (is_fixed<N> && has_shortcuts))
-        chain.add(&blend_packet<N, Format>, true);
-    else
-        chain.template add<Blend<N, Stored<N, Format>>>();
-}
-
 template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, const Key& key) {
     if (key.coarse)
         add_coarse<N, Format>(chain, key.dither);
@@ -297,8 +281,7 @@ template <class N, PixelFormat Format> void add_output(ChainBuilder<N>& chain, c
     if constexpr (is_balanced<N> && has_textures && has_fog && is_565(Format))
         if (counts_steps(key))
             return chain.template add<StoreSteps<N, Format>>();
-    // StoreMerged can do everything that the other store stages do.
-    constexpr bool only_merged = is_fixed<N> && !has_shortcuts && !has_tier(Tier::fast);
+    constexpr bool only_merged = stores_merged<N>;
     if (only_merged || key.masked || key.logic)
         chain.template add<StoreMerged<N, Format>>();
     if constexpr (!only_merged)

@@ -22,13 +22,7 @@ template <PixelFormat Format> void assemble_raw(Variant& variant, const Key& key
         chain.add<PixelWord<host_lanes>>();
         return chain.add<Store>();
     }
-    // Builds with shortcuts fill and store in one loop. Small builds use two stages that other chains share.
-    const auto fill = [&]<class Fill> {
-        if constexpr (has_shortcuts)
-            return chain.add<Seq<Raw, Fill, Store>>();
-        chain.add<Fill>();
-        chain.add<Store>();
-    };
+    const auto fill = [&]<class Fill> { add_fill<Raw, Fill, Store>(chain); };
     if (!unit.on && key.dither)
         return key.kind == Kind::flat ? fill.template operator()<FlatDithered<host_lanes>>()
                                       : fill.template operator()<GouraudDithered<host_lanes>>();

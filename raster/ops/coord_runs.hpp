@@ -3,6 +3,7 @@
 #pragma once
 
 #include "raster/ops/log2.hpp"
+#include "raster/ops/run_steps.hpp"
 #include "raster/ops/stage_color.hpp"
 #include "raster/span/instructions.hpp"
 #include "raster/span/of_tier.hpp"
@@ -45,7 +46,7 @@ struct HomogeneousRow {
 SPANGLE_RUN_INLINE std::int64_t to_repeats(std::int32_t s, const Inverse& inverse, int exponent) {
     const std::int64_t product = numeric::mul_s32_u32(s, inverse.mantissa);
     const int down = 30 - inverse.zeros - exponent;
-    if constexpr (!numeric::wide_words && has_shortcuts)
+    if constexpr (!numeric::wide_words)
         if (down > 0 && down < 32) [[likely]]
             return numeric::words_after(product, down);
     return numeric::times_two_to(product, -down);
@@ -131,6 +132,9 @@ struct RunBound {
 /// at most half a texel. Where 1/w does not change along the row, the row is one run. A short row is also one
 /// run where |du| |dq| / (4 min(Q)) between its ends is at most half of the allowed error.
 class CoordRuns {
+    template <class Runs> friend void continue_run(Runs& runs, std::int32_t from);
+    template <class Runs> friend void prepare_runs(Runs& runs);
+
   public:
     std::uint32_t s; ///< coordinates at the current pixel, as in TexCoords; ds is their difference per pixel
 
@@ -180,33 +184,39 @@ class CoordRuns {
         }
         const std::int32_t from = run_end_;
         run_end_ += std::int32_t{1} << log2_run_;
-        if (has_shortcuts && run_end_ < span_->length) [[likely]] {
-            row_.q0 += run_steps_.q;
-            const Inverse inverse(row_.q(0), w_zeros_);
-            // The coordinates are computed one after the other, which takes few registers.
-            const auto along = [&](std::uint64_t& row, std::uint64_t run, std::int64_t& last,
-                                   const bool& wraps, const std::int32_t& base, std::uint32_t& v,
-                                   std::uint32_t& dv) SPANGLE_RUN_INLINE_LAMBDA {
-                row += run;
-                std::int64_t end = inner::to_repeats(unguarded(row), inverse, exponent_);
-                if (!both_wrap_)
-                    end = followed(end, wraps, base);
-                v = static_cast<std::uint32_t>(last);
-                dv = per_pixel(difference(end, last));
-                last = end;
-            };
-            const auto& wraps = span_->state->wraps[unit_];
-            const auto& unit = span_->unit[unit_];
-            along(row_.s0, run_steps_.s, run_start_.s, wraps.s, unit.s_base, s, ds);
-            along(row_.t0, run_steps_.t, run_start_.t, wraps.t, unit.t_base, t, dt);
-        } else {
-            start_clipped_run(from);
-        }
+        continue_run(*this, from);
         if (x != from) {
             s += static_cast<std::uint32_t>(x - from) * ds;
             t += static_cast<std::uint32_t>(x - from) * dt;
         }
         return run_end_;
+    }
+    /// Whether the run that ends at run_end_ ends within the row.
+    SPANGLE_INLINE bool is_whole_run() const { return run_end_ < span_->length; }
+    /// Makes a run for which is_whole_run() holds, from run_steps_.
+    SPANGLE_INLINE void make_whole_run() {
+        row_.q0 += run_steps_.q;
+        const Inverse inverse(row_.q(0), w_zeros_);
+        // The coordinates are computed one after the other, which takes few registers.
+        const auto along = [&](std::uint64_t& row, std::uint64_t run, std::int64_t& last, const bool& wraps,
+                               const std::int32_t& base, std::uint32_t& v, std::uint32_t& dv)
+                               SPANGLE_RUN_INLINE_LAMBDA {
+                                   row += run;
+                                   std::int64_t end = inner::to_repeats(unguarded(row), inverse, exponent_);
+                                   if (!both_wrap_)
+                                       end = followed(end, wraps, base);
+                                   v = static_cast<std::uint32_t>(last);
+                                   dv = per_pixel(difference(end, last));
+                                   last = end;
+                               };
+        const auto& wraps = span_->state->wraps[unit_];
+        const auto& unit = span_->unit[unit_];
+        along(row_.s0, run_steps_.s, run_start_.s, wraps.s, unit.s_base, s, ds);
+        along(row_.t0, run_steps_.t, run_start_.t, wraps.t, unit.t_base, t, dt);
+    }
+    /// Prepares make_whole_run().
+    SPANGLE_INLINE void set_run_steps() {
+        run_steps_ = {row_.ds << log2_run_, row_.dt << log2_run_, row_.dq << log2_run_};
     }
     /// Tries to take a short row as one run. Its ends cost less than logarithms, and bound the error better.
     /// Returns false where the row needs several runs, or where its coordinates saturate.
@@ -266,9 +276,7 @@ class CoordRuns {
         row_.begin_at(run_end_);
         exponent_ = span_->unit[unit_].exponent;
         run_start_ = followed_coord();
-        if (!has_shortcuts)
-            return;
-        run_steps_ = {row_.ds << log2_run_, row_.dt << log2_run_, row_.dq << log2_run_};
+        prepare_runs(*this);
     }
     /// Makes any run, also one that the end of the row cuts short.
     SPANGLE_RUN_SELDOM void start_clipped_run(std::int32_t from) {

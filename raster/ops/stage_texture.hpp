@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "raster/ops/filter_texels.hpp"
 #include "raster/ops/number_packed.hpp"
 #include "raster/ops/stage.hpp"
 #include "raster/ops/texel_color.hpp"
@@ -121,45 +122,26 @@ template <class N> struct TextureFunction : LevelChoice {
                            i1 = wrap_texel(texture.wrap_s, i.i + 1, image.width),
                            j0 = wrap_texel(texture.wrap_t, j.i, image.height),
                            j1 = wrap_texel(texture.wrap_t, j.i + 1, image.height);
-        const TexelWords words = words_of(texture);
-        if constexpr (is_balanced<N> && has_shortcuts) {
-            if (words == TexelWords::rgb565 && stored(image, i0, j0) && stored(image, i1, j1)) {
-                const auto word = [&](std::int32_t x, std::int32_t y) {
-                    return Lanes<1>::load(is_indirect(texture.format) ? palette_entry(texture, image, x, y)
-                                                                      : address(image, x, y));
-                };
-                return Filter565<1>(j.weight)(word(i0, j0), word(i1, j0), word(i0, j1), word(i1, j1),
-                                              i.weight);
-            }
-        }
-        if constexpr ((is_balanced<N> || std::is_same_v<N, Exact>)&&has_shortcuts) {
-            if (words == TexelWords::bytes && stored(image, i0, j0) && stored(image, i1, j1))
-                return filtered_bytes(image, i0, i1, j0, j1, i.weight, j.weight);
-        }
-        Color c[4];
-#pragma GCC unroll has_shortcuts ? 4 : 1
-        for (int k = 0; k < 4; ++k)
-            c[k] = texel(image, (k & 1) != 0 ? i1 : i0, (k & 2) != 0 ? j1 : j0);
+        return filter_texels<N>(*this, image, {i0, i1, j0, j1, i.weight, j.weight});
+    }
+
+    /// The colour of texel k among four.
+    SPANGLE_INLINE Color texel(const TextureLevel& image, const FilteredTexels& of, int k) const {
+        return texel(image, (k & 1) != 0 ? of.i1 : of.i0, (k & 2) != 0 ? of.j1 : of.j0);
+    }
+    /// Mixes the colours of four texels.
+    SPANGLE_INLINE Color mixed(const Color (&c)[4], const FilteredTexels& of) const {
         const Color &c00 = c[0], &c10 = c[1], &c01 = c[2], &c11 = c[3];
-        if constexpr (is_balanced<N> && !has_shortcuts) {
-            // In the colour of a texel R5 G6 B5, the top bits of each component are the bits of the texel's
-            // word.
-            const auto word = [](const Color& of) -> std::uint32_t {
-                return of.r >> 11 << 11 | of.g >> 10 << 5 | of.b >> 11;
-            };
-            if (words == TexelWords::rgb565 && stored(image, i0, j0) && stored(image, i1, j1))
-                return Filter565<1>(j.weight)(word(c00), word(c10), word(c01), word(c11), i.weight);
-        }
         if constexpr (is_balanced<N>) {
-            if (words == TexelWords::bytes) {
-                const Filter8<1> filter(j.weight);
+            if (words_of(texture) == TexelWords::bytes) {
+                const Filter8<1> filter(of.b);
                 const auto mix = [&](auto c) {
-                    return filter.component(c00.*c >> 8, c10.*c >> 8, c01.*c >> 8, c11.*c >> 8, i.weight);
+                    return filter.component(c00.*c >> 8, c10.*c >> 8, c01.*c >> 8, c11.*c >> 8, of.a);
                 };
                 return {mix(&Color::r), mix(&Color::g), mix(&Color::b), mix(&Color::a)};
             }
         }
-        return bilinear<N>(c00, c10, c01, c11, i.weight, j.weight);
+        return bilinear<N>(c00, c10, c01, c11, of.a, of.b);
     }
 
     /// Mixes four texels of bytes, which are fetched as words.
@@ -177,6 +159,10 @@ template <class N> struct TextureFunction : LevelChoice {
         std::uint32_t word[1][4];
         fetch_texels(texture, image, s, t, true, 1, word);
         return Texels::mix(typename Texels::Weights(b), word[0][0], word[0][1], word[0][2], word[0][3], a);
+    }
+    /// Whether all four texels lie in the image or in its stored border.
+    bool stored(const TextureLevel& image, const FilteredTexels& of) const {
+        return stored(image, of.i0, of.j0) && stored(image, of.i1, of.j1);
     }
     bool stored(const TextureLevel& image, std::int32_t i, std::int32_t j) const {
         return texture.border_texels != 0 || (i >= 0 && j >= 0 && i < image.width && j < image.height);

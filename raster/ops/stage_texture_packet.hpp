@@ -2,6 +2,7 @@
 // and texels are combined in lanes.
 #pragma once
 
+#include "raster/ops/sample_packet.hpp"
 #include "raster/ops/stage_texture_lanes.hpp"
 #include "raster/ops/texel_packet.hpp"
 #include "raster/ops/texture_combine_packet.hpp"
@@ -15,6 +16,7 @@ template <class N> class PacketTexture {
     using SingleLane = OneLane<N>;
     using L = typename N::L;
     using Color = typename N::Color;
+    using Sampling = typename TextureFunction<SingleLane>::Sampling;
     static constexpr int lanes = N::lanes;
 
   public:
@@ -33,15 +35,34 @@ template <class N> class PacketTexture {
         for (int u = 0; u < max_texture_units; ++u)
             if (state.unit[u].texture != nullptr)
                 sample(k, span, u, texels[u]);
-        if constexpr (lanes > 1 || has_shortcuts) {
-            PacketCombine<N>::units(state, texels, (k.n + lanes - 1) / lanes, k.color);
-        } else {
-            for (std::int32_t i = 0; i < k.n; ++i) {
-                Color texel[max_texture_units];
-                for (int u = 0; u < max_texture_units; ++u)
-                    texel[u] = state.unit[u].texture != nullptr ? texels[u][i] : Color{};
-                TextureCombine<N>::units(state, texel, k.color[i]);
+        combine_units<N>(state, texels, k.n, k.color);
+    }
+
+    /// Samples all fragments one by one.
+    void sample_one_by_one(Color* texels) const { one_by_one({0, packet_.n}, texels); }
+    /// Samples together what follows each other and takes the same levels, filter and face.
+    void sample_stretches(Color* texels) const {
+        const bool wants_lod = function_.wants_lod;
+        Sampling how = {0, texture_.mag, 0};
+        if (!wants_lod && thirds_ == nullptr)
+            return sample_stretch({0, packet_.n}, how, nullptr, texels);
+        std::uint32_t next[packet_length]; // weights of the level behind
+        const std::int32_t* const lod = packet_.lod[unit_number_];
+        if (wants_lod)
+            how = function_.choose_sampling(lod[0]);
+        for (Stretch of{0, 1};; ++of.count) {
+            const std::int32_t i = of.first + of.count;
+            next[i - 1] = how.next;
+            const bool ends = i == packet_.n;
+            const Sampling other =
+                ends || !wants_lod || lod[i] == lod[i - 1] ? how : function_.choose_sampling(lod[i]);
+            if (ends || !other.alike(how) || face(i) != face(i - 1)) {
+                sample_stretch(of, how, next, texels);
+                of = {i, 0};
             }
+            if (ends)
+                return;
+            how = other;
         }
     }
 
@@ -93,14 +114,11 @@ template <class N> class PacketTexture {
             if (wants_r(*unit.texture))
                 return in_volume(k, span, which, texels);
         const PacketTexture stage(k, unit, which, nullptr);
-        if (has_shortcuts)
-            stage.sample_stretches(texels);
-        else
-            stage.one_by_one({0, k.n}, texels);
+        sample_packet(stage, true, texels);
     }
 
-    /// Finds the places of textures with three coordinates, and samples there. Where shortcuts are left out,
-    /// or where depths are compared, fragments are sampled one by one.
+    /// Finds the places of textures with three coordinates, and samples there. Where depths are compared,
+    /// fragments are sampled one by one.
     [[gnu::noinline]] static void in_volume(Packet<N>& k, const Span& span, int which, Color* texels) {
         const TextureUnit& unit = span.state->fragment.unit[which];
         const VolumeCoords coords(span, which);
@@ -114,39 +132,9 @@ template <class N> class PacketTexture {
             thirds.face[i] = static_cast<std::uint8_t>(place.face);
         }
         const PacketTexture stage(k, unit, which, &thirds);
-        if (has_shortcuts && !unit.texture->compares)
-            stage.sample_stretches(texels);
-        else
-            stage.one_by_one({0, k.n}, texels);
+        sample_packet(stage, !unit.texture->compares, texels);
     }
 
-    using Sampling = typename TextureFunction<SingleLane>::Sampling;
-
-    /// Samples together what follows each other and takes the same levels, filter and face.
-    void sample_stretches(Color* texels) const {
-        const bool wants_lod = function_.wants_lod;
-        Sampling how = {0, texture_.mag, 0};
-        if (!wants_lod && thirds_ == nullptr)
-            return sample_stretch({0, packet_.n}, how, nullptr, texels);
-        std::uint32_t next[packet_length]; // weights of the level behind
-        const std::int32_t* const lod = packet_.lod[unit_number_];
-        if (wants_lod)
-            how = function_.choose_sampling(lod[0]);
-        for (Stretch of{0, 1};; ++of.count) {
-            const std::int32_t i = of.first + of.count;
-            next[i - 1] = how.next;
-            const bool ends = i == packet_.n;
-            const Sampling other =
-                ends || !wants_lod || lod[i] == lod[i - 1] ? how : function_.choose_sampling(lod[i]);
-            if (ends || !other.alike(how) || face(i) != face(i - 1)) {
-                sample_stretch(of, how, next, texels);
-                of = {i, 0};
-            }
-            if (ends)
-                return;
-            how = other;
-        }
-    }
     unsigned face(std::int32_t i) const { return thirds_ != nullptr ? thirds_->face[i] : 0; }
     /// Where some fragments see the border colour, all are sampled one by one.
     void sample_stretch(const Stretch& of, const Sampling& how, const std::uint32_t* next,

@@ -5,6 +5,8 @@
 
 #include "raster/numeric/reciprocal.hpp"
 #include "raster/ops/number.hpp"
+#include "raster/ops/plain_axis.hpp"
+#include "raster/ops/power_of_two.hpp"
 #include "raster/span/instructions.hpp"
 #include <spangle/raster/fragment_state.hpp>
 
@@ -202,15 +204,6 @@ SPANGLE_INLINE std::int32_t wrap_texel(Wrap wrap, std::int32_t i, std::int32_t s
     const std::int32_t low = wrap == Wrap::clamp_to_edge ? 0 : -1;
     const std::int32_t high = wrap == Wrap::clamp_to_edge ? size - 1 : size;
     return i < low ? low : i > high ? high : i;
-}
-
-constexpr bool is_power_of_two(std::int32_t size) {
-    return (size & (size - 1)) == 0;
-}
-
-/// True for axes whose coordinates can be read by shifts, which is only a matter of speed.
-constexpr bool is_plain_axis(Wrap wrap, std::int32_t size) {
-    return has_shortcuts && wrap != Wrap::mirrored_repeat && is_power_of_two(size);
 }
 
 /// The position of a coordinate in 2^-Fraction texels, before wrapping, for any size and wrap mode. A

@@ -4,48 +4,11 @@
 #include "raster/ops/filter.hpp"
 #include "raster/ops/filter_words.hpp"
 #include "raster/ops/texel.hpp"
+#include "raster/ops/texel_factor.hpp"
 #include "raster/span/instructions.hpp"
 
 namespace spangle::raster {
 inline namespace SPANGLE_INSTRUCTIONS {
-
-/// Tables of the factors by which MODULATE multiplies. Entry k is N::fraction() of k/31 or of k/63. Where
-/// `Steps` is not 0, it is `Steps` times the factor of N::in_steps().
-template <class N, class Word, int Steps> struct TexelFactors {
-    Word of5[32], of6[64];
-    constexpr TexelFactors() : of5{}, of6{} {
-        for (std::uint32_t k = 0; k < 64; ++k) {
-            of5[k & 31] = static_cast<Word>(of<5>(k & 31));
-            of6[k] = static_cast<Word>(of<6>(k));
-        }
-    }
-    template <unsigned Bits> SPANGLE_INLINE static constexpr std::uint32_t of(std::uint32_t k) {
-        if constexpr (Bits == 5)
-            return factor<5>(N::texel5(k));
-        else
-            return factor<6>(N::texel6(k));
-    }
-
-  private:
-    template <unsigned Bits> static constexpr std::uint32_t factor(std::uint32_t v) {
-        if constexpr (Steps != 0)
-            return Steps * N::fraction(N::template steps15<Bits>(v));
-        else
-            return N::fraction(v);
-    }
-};
-template <class N, int Steps = 0>
-inline constexpr TexelFactors<N, std::conditional_t<is_balanced<N>, std::uint16_t, std::uint32_t>, Steps>
-    texel_factors;
-
-/// One factor of TexelFactors. Builds without shortcuts compute it, and other builds look it up.
-template <unsigned Bits, class N, int Steps> SPANGLE_INLINE std::uint32_t texel_factor(std::uint32_t k) {
-    using Factors = std::remove_const_t<decltype(texel_factors<N, Steps>)>;
-    if constexpr (!has_shortcuts)
-        return Factors::template of<Bits>(k);
-    else
-        return Bits == 5 ? texel_factors<N, Steps>.of5[k] : texel_factors<N, Steps>.of6[k];
-}
 
 /// The factors of MODULATE for a texel, which is a word R5 G6 B5 or has 8-bit components with R in the lowest
 /// byte. Factors has factor5(), factor6() and factor8().
@@ -135,7 +98,7 @@ template <class N, bool Is565, bool Alpha> struct TexelColors {
                                     const V& c11, const W& a) {
         if constexpr (is_raw<N>)
             return {weights(c00, c10, c01, c11, a)};
-        else if constexpr (std::is_same_v<N, Exact> && !Is565 && Alpha && has_shortcuts)
+        else if constexpr (std::is_same_v<N, Exact> && !Is565 && Alpha)
             return weights.bytes(c00, c10, c01, c11, a);
         else if constexpr (std::is_same_v<N, Exact>)
             return bilinear<N>(unpack(c00), unpack(c10), unpack(c01), unpack(c11), a, weights.b);
