@@ -48,8 +48,7 @@ void store_texels(const Context& context, LevelImage& image, const TexelBox& box
     const Content content = is_depth(format) ? Content::depth : Content::color;
     const ImageRows rows = image_rows(unpack, layout, static_cast<GLsizei>(box.size[0]));
     const auto each = [&](auto store) { each_row(unpack, image, box, rows, bytes, pixels, store); };
-    const bool copy =
-        raster::has_shortcuts && content == Content::color && groups.is_plain() && same_layout(layout, kept);
+    const bool copy = content == Content::color && groups.is_plain() && same_layout(layout, kept);
     if constexpr (has_row_codes) {
         const std::int64_t all = std::int64_t{box.size[0]} * box.size[1] * box.images();
         if (!copy && content == Content::color && pays_converter(all) && groups.keeps_colors()) {

@@ -1,9 +1,9 @@
 // Commands that set and enable vertex arrays, and the conversion of elements to canonical values (GL 1.3,
 // 2.8).
-#include "gl/api/convert.hpp"
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/context/hooks.hpp"
+#include "gl/vertex/array_component.hpp"
 #include "gl/vertex/buffer_object.hpp"
 #include "gl/vertex/current_element.hpp"
 
@@ -32,59 +32,6 @@ void set_buffer([[maybe_unused]] Context& context, [[maybe_unused]] ClientArray&
 }
 
 namespace {
-
-/// Reads a value from client memory. The address need not be aligned.
-template <class T> T read(const std::uint8_t* at) {
-    T value;
-    __builtin_memcpy(&value, at, sizeof value);
-    return value;
-}
-
-/// Converts a component to a Real. If `normalized`, an integer becomes a fraction, as for colours and
-/// normals; otherwise it keeps its value (GL 1.3, table 2.6).
-SPANGLE_RUN_CALL Real component(const std::uint8_t* at, GLenum type, bool normalized) {
-    switch (array_type(type)) {
-    case GL_FLOAT:
-        return numeric::from_float_bits(read<std::uint32_t>(at));
-    case GL_DOUBLE:
-        return numeric::from_double_bits(read<std::uint64_t>(at));
-    case GL_FIXED:
-        return numeric::from_fixed16(read<std::int32_t>(at));
-    case GL_BYTE:
-        return normalized ? numeric::normalized_byte(read<std::int8_t>(at))
-                          : numeric::from_i32(read<std::int8_t>(at));
-    case GL_UNSIGNED_BYTE:
-        return normalized ? numeric::normalized_ubyte(*at) : numeric::from_i32(*at);
-    case GL_SHORT:
-        return normalized ? numeric::normalized_short(read<std::int16_t>(at))
-                          : numeric::from_i32(read<std::int16_t>(at));
-    case GL_UNSIGNED_SHORT:
-        return normalized ? numeric::normalized_ushort(read<std::uint16_t>(at))
-                          : numeric::from_i32(read<std::uint16_t>(at));
-    case GL_INT:
-        return normalized ? numeric::normalized_int(read<std::int32_t>(at))
-                          : numeric::from_i32(read<std::int32_t>(at));
-    default:
-        return normalized ? numeric::normalized_uint(read<std::uint32_t>(at))
-                          : numeric::from_u32(read<std::uint32_t>(at));
-    }
-}
-
-/// Does the work of component() with less code. The tokens of integer types follow each other from GL_BYTE
-/// on, signed and unsigned types in turn.
-Real short_component(const std::uint8_t* at, GLenum type, bool normalized) {
-    type = array_type(type);
-    if (type == GL_FLOAT)
-        return numeric::from_float_bits(read<std::uint32_t>(at));
-    if (has_array_type(GL_DOUBLE) && type == GL_DOUBLE)
-        return numeric::from_double(read<GLdouble>(at));
-    if (has_array_type(GL_FIXED) && type == GL_FIXED)
-        return numeric::from_fixed16(read<std::int32_t>(at));
-    static_assert(GL_BYTE % 2 == 0 && GL_UNSIGNED_BYTE - GL_BYTE == 1 && GL_SHORT - GL_BYTE == 2 &&
-                  GL_UNSIGNED_SHORT - GL_BYTE == 3 && GL_INT - GL_BYTE == 4 &&
-                  GL_UNSIGNED_INT - GL_BYTE == 5);
-    return convert::integer_at(at, (type - GL_BYTE) / 2, type % 2 == 0, normalized);
-}
 
 /// Returns a set of component types. Bit 0 stands for GL_BYTE, and the other bits for the types with the
 /// tokens after it.
@@ -156,11 +103,9 @@ ArrayReader::ArrayReader(const ClientArray& array, bool normalized)
 }
 
 void ArrayReader::convert(const std::uint8_t* at, Real* out) const {
-    constexpr bool in_one_way = !raster::has_shortcuts && (array_types & (array_types - 1)) != 0;
     const unsigned bytes = bytes_of(array_type(type_));
     for (unsigned c = 0; c < components_; ++c)
-        out[c] = in_one_way ? short_component(at + std::size_t{c} * bytes, type_, normalized_)
-                            : component(at + std::size_t{c} * bytes, type_, normalized_);
+        out[c] = array_component(at + std::size_t{c} * bytes, type_, normalized_);
 }
 
 void set_seldom([[maybe_unused]] CurrentState& current, [[maybe_unused]] const ArraysState& arrays,

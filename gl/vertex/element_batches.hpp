@@ -50,7 +50,7 @@ template <class M, class L> class ElementBatches : public CachedVertices<M, L> {
     /// True if vertices of line strips bypass the cache. A small cache forgets a vertex before the next strip
     /// asks for it.
     static constexpr bool skips_cache_for_strips =
-        vertex_cache < 1024 && raster::has_shortcuts && std::is_same_v<Window, raster::FixedVertex>;
+        vertex_cache < 1024 && std::is_same_v<Window, raster::FixedVertex>;
     /// Number of vertices that a Pending holds. A line strip of line_batch lines has one vertex more than
     /// lines.
     static constexpr int pending_vertices = (numeric::cheap_branches ? 1 : 4) * line_batch + 1;

@@ -7,6 +7,7 @@
 #include "gl/api/generated/commands.hpp"
 #include "gl/context/context.hpp"
 #include "gl/vertex/bernstein.hpp"
+#include "gl/vertex/cache_memory.hpp"
 #include "gl/vertex/color_tracking.hpp"
 #include "gl/vertex/maps.hpp"
 
@@ -172,7 +173,7 @@ bool has_vertices(const Context& context, unsigned dimension) {
 /// Caches the vertex maps of two neighbouring rows of a mesh, reduced to curves. Each vertex is then a point
 /// of a curve. Builds without shortcuts have no memory for this cache.
 struct MeshRows {
-    static constexpr int kept = raster::has_shortcuts ? 2 : 0;
+    static constexpr int kept = kept_mesh_rows;
     EvalRow at[kept == 0 ? 1 : kept];
     EvalRow* row(GLint j) { return kept == 0 ? nullptr : at + (j & 1); }
 };

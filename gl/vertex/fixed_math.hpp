@@ -41,8 +41,8 @@ struct FixedMath : FixedClipping {
         std::int32_t middle = 0;
         Factor minus_half = 0;
         /// rounded_middle is the middle with the fraction bits of the product, plus half a unit of the
-        /// result. On 32-bit machines it only saves time, so that builds without shortcuts do without it.
-        static constexpr bool keeps_rounded = numeric::wide_words || raster::has_shortcuts;
+        /// result. 32-bit machines do without it, because they seldom need it.
+        static constexpr bool keeps_rounded = numeric::wide_words;
         std::conditional_t<keeps_rounded, std::int64_t, std::int32_t> rounded_middle = 0;
 
         Range() = default;

@@ -6,12 +6,14 @@
 #pragma once
 
 #include "gl/vertex/point_sink.hpp"
+#include "gl/vertex/primitive_paths.hpp"
 #include "raster/primitive/line_stipple.hpp"
 
 namespace spangle::gl {
 
 template <class M, class L> class LineSink : public PointSink<M, L> {
     using Base = PointSink<M, L>;
+    template <class Sink, class Vertex> friend void draw_single_line(Sink& to, Vertex& a, Vertex& b);
 
   public:
     using Window = typename M::Window;
@@ -72,10 +74,7 @@ template <class M, class L> inline void LineSink<M, L>::line(Vertex& a, Vertex& 
         return;
     if (modes_.is_capturing())
         return capture_clipped_line(a, b);
-    if constexpr (!raster::has_shortcuts)
-        return draw_visible_line(a, b);
-    Vertex* const ends[2] = {&a, &b};
-    lines(ends, 2, 1, false);
+    draw_single_line(*this, a, b);
 }
 
 /// Draws lines between vertices i and i + 1, for i = 0, step, 2 step and so on. `one_color` says that all

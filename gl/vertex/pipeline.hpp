@@ -12,11 +12,18 @@
 
 #include "gl/vertex/current_element.hpp"
 #include "gl/vertex/element_batches.hpp"
+#include "gl/vertex/element_paths.hpp"
 
 namespace spangle::gl {
 
 template <class M, class L> class Pipeline : public ElementBatches<M, L> {
     using Base = ElementBatches<M, L>;
+    template <class Pipeline>
+    friend bool draw_cached(Pipeline& to, Context& context, const ElementReader& reader, std::uint32_t count,
+                            const Indices& indices);
+    template <class Pipeline>
+    friend bool take_cached(Pipeline& to, const CurrentState& current, std::uint32_t index,
+                            const Real (&position)[4]);
 
   public:
     using Window = typename M::Window;
@@ -192,15 +199,14 @@ template <class M, class L>
 void Pipeline<M, L>::draw_elements(Context& context, const ElementReader& reader, std::uint32_t count,
                                    const Indices& indices) {
 #if SPANGLE_VERTEX_CACHE != 1
-    if constexpr (raster::has_shortcuts)
-        if (!modes_.needs_vertex_state() && reader.seldom == nullptr && reader.vertex.on())
-            return draw_cached_elements(context, reader, count, indices);
+    if (draw_cached(*this, context, reader, count, indices))
+        return;
 #endif
     draw_elements_immediate(context, reader, count, indices);
 }
 
 /// Draws elements one by one, through vertex(). Materials that follow the colour need this path, and so do
-/// arrays without positions. Builds without shortcuts have no other path.
+/// arrays without positions.
 template <class M, class L>
 void Pipeline<M, L>::draw_elements_immediate(Context& context, const ElementReader& reader,
                                              std::uint32_t count, const Indices& indices) {
@@ -212,10 +218,8 @@ void Pipeline<M, L>::draw_elements_immediate(Context& context, const ElementRead
         Real v[4] = {numeric::zero, numeric::zero, numeric::zero, numeric::one};
         reader.vertex.read(index, v);
 #if SPANGLE_VERTEX_CACHE != 1
-        if (!raster::has_shortcuts && !modes_.needs_vertex_state()) {
-            next_element(context.current, cache_.element(index), v);
+        if (take_cached(*this, context.current, index, v))
             continue;
-        }
 #endif
         vertex(context, v[0], v[1], v[2], v[3]);
     }
@@ -264,9 +268,9 @@ inline void Pipeline<M, L>::draw_cached_elements(Context& context, const Element
     if (!is_common(reader) || (reader.textured || modes_.units() != 0) != textured)
         for (std::uint32_t i = 0; i < count; ++i)
             next(general_element(context, reader, indices.at(i)));
-    else if (raster::has_shortcuts && draws_lines())
+    else if (draws_lines())
         draw_line_elements(reader, count, indices, normals);
-    else if (raster::has_shortcuts && modes_.mode() == GL_TRIANGLE_STRIP && !modes_.needs_polygon_path())
+    else if (modes_.mode() == GL_TRIANGLE_STRIP && !modes_.needs_polygon_path())
         draw_strip_elements(reader, count, indices, normals, textured);
     else
         for (std::uint32_t i = 0; i < count; ++i)

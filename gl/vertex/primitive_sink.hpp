@@ -7,11 +7,14 @@
 #pragma once
 
 #include "gl/vertex/polygon_sink.hpp"
+#include "gl/vertex/primitive_paths.hpp"
 
 namespace spangle::gl {
 
 template <class M, class L> class PrimitiveSink : public PolygonSink<M, L> {
     using Base = PolygonSink<M, L>;
+    template <class Sink, class Vertex> friend void draw_face_of_3(Sink& to, Vertex* const* c);
+    template <class Sink, class Vertex> friend void draw_face_of_4(Sink& to, Vertex* const* c);
 
   public:
     using Window = typename M::Window;
@@ -36,27 +39,18 @@ template <class M, class L> class PrimitiveSink : public PolygonSink<M, L> {
     using Base::skips_batches;
     using Base::state_;
 
-    /// True if triangles and quads are drawn as polygons, as all builds without shortcuts do.
-    static constexpr bool faces_are_polygons = has_polygons && !raster::has_shortcuts;
-
     [[gnu::noinline]] void draw_triangle(Vertex& a, Vertex& b, Vertex& c);
     void draw_quad(Vertex& a, Vertex& b, Vertex& c, Vertex& d, Vertex& provoking);
     template <class... V> bool is_outside_rows(const V&... corner) const;
 };
 
 template <class M, class L> SPANGLE_INLINE void PrimitiveSink<M, L>::triangle(Vertex* const* c) {
-    if constexpr (faces_are_polygons)
-        polygon(c, 3, *c[2]);
-    else
-        draw_triangle(*c[0], *c[1], *c[2]);
+    draw_face_of_3(*this, c);
 }
 
 /// Draws a quad. Its two triangles share the diagonal from c[0] to c[2].
 template <class M, class L> SPANGLE_INLINE void PrimitiveSink<M, L>::quad(Vertex* const* c) {
-    if constexpr (faces_are_polygons)
-        polygon(c, 4, *c[2]);
-    else
-        draw_quad(*c[0], *c[1], *c[2], *c[3], *c[2]);
+    draw_face_of_4(*this, c);
 }
 
 template <class M, class L> inline void PrimitiveSink<M, L>::fan(Vertex* const* c) {

@@ -16,13 +16,14 @@
 
 #include "gl/context/arena.hpp"
 #include "gl/context/context.hpp"
+#include "gl/vertex/cache_memory.hpp"
 #include "gl/vertex/vertex_kinds.hpp"
 
 namespace spangle::gl {
 
 /// True if this build keeps the window positions of vertices that Vertex commands give. Models give most
 /// positions several times, with another normal or for the next face. Such a position is transformed once.
-inline constexpr bool caches_window_positions = vertex_cache != 1 && raster::has_shortcuts;
+inline constexpr bool caches_window_positions = vertex_cache != 1 && may_cache_positions;
 
 #if SPANGLE_VERTEX_CACHE == 1
 
@@ -40,7 +41,7 @@ template <class M> class VertexCache {
 
     /// True if kept vertices keep their positions while lights, materials or the current colour change. The
     /// code for it is left out of firmware.
-    static constexpr bool keeps_positions = numeric::wide_words && raster::has_shortcuts;
+    static constexpr bool keeps_positions = may_keep_positions;
 
     /// Makes all kept vertices invalid, by a new epoch.
     SPANGLE_RUN_CALL void invalidate();
@@ -80,8 +81,8 @@ template <class M> class VertexCache {
     static constexpr std::uint32_t epoch_step = keeps_positions ? 1u << 16 : 1;
     /// The cache holds first_vertices elements at first. In builds where the cache may grow, the first draw
     /// of more elements enlarges it to vertex_cache elements.
-    static constexpr bool grows_cache = SPANGLE_GROWS_CACHE != 0 && raster::has_shortcuts &&
-                                        vertex_cache > 1024 && std::has_single_bit(vertex_cache);
+    static constexpr bool grows_cache = may_grow_cache && vertex_cache > 1024 &&
+                                        std::has_single_bit(vertex_cache);
     static constexpr std::size_t first_vertices = grows_cache ? 128 : vertex_cache;
     /// The window position of a vertex given by a Vertex command, not as an element of arrays.
     struct CachedPosition {

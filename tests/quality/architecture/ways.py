@@ -31,15 +31,6 @@ SELECTOR = """// {text}
 DEFINED = {"raster/include/spangle/raster/limits.hpp": 3}  # the option itself
 LEFT = {
     "gl/pixel/row_fields.hpp": 1,
-    "gl/texture/store_texels.cpp": 1,
-    "gl/vertex/arrays.cpp": 1,
-    "gl/vertex/element_batches.hpp": 1,
-    "gl/vertex/evaluate.cpp": 1,
-    "gl/vertex/fixed_math.hpp": 1,
-    "gl/vertex/line_sink.hpp": 1,
-    "gl/vertex/pipeline.hpp": 4,
-    "gl/vertex/primitive_sink.hpp": 1,
-    "gl/vertex/vertex_cache.hpp": 3,
     "raster/fused/fused.hpp": 1,
     "raster/primitive/setup_texture.cpp": 1,
     "raster/span/path.hpp": 1,
