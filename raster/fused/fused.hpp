@@ -8,6 +8,7 @@
 #include "raster/fused/fogged.hpp"
 #include "raster/fused/gathered.hpp"
 #include "raster/fused/path_list.hpp"
+#include "raster/fused/rows_apart.hpp"
 #include "raster/ops/dither_pattern.hpp"
 #include "raster/ops/stage.hpp"
 #include "raster/ops/stage_raw.hpp"
@@ -392,7 +393,7 @@ template <class Case, int Wide = host_lanes>
             if (!PatchOfRows::are_many(row, end, Case::FewFragments::most + 1))
                 return fused_narrow_plain_rows<typename Case::FewFragments>(span, row, end);
         fused_narrow_plain_rows<Case>(span, row, end);
-    } else if constexpr (Case::apart || (Wide == 1 && !has_shortcuts)) {
+    } else if constexpr (draws_rows_apart<Case, Wide>) {
         do {
             enter_fused<Case>(span, *row);
             fused_narrow_row<Case>(span, *row);

@@ -9,12 +9,10 @@
 
 #include "raster/numeric/bits.hpp"
 #include "raster/span/draw_state.hpp"
+#include "raster/span/has_paths.hpp"
 #include "raster/span/span.hpp"
 
 namespace spangle::raster {
-
-/// True where a fused loop of this build draws paths, and paths are worth their code size.
-inline constexpr bool has_paths = has_fused_spans && has_shortcuts;
 
 /// The number of a pixel, counted from the pixel of window position (0, 0). Where a dithered colour needs it,
 /// the two highest bits hold row & 3. Adding per_row() modulo 2^32 leads to the next row.
