@@ -171,7 +171,7 @@ bool has_vertices(const Context& context, unsigned dimension) {
 }
 
 /// Caches the vertex maps of two neighbouring rows of a mesh, reduced to curves. Each vertex is then a point
-/// of a curve. Builds without shortcuts have no memory for this cache.
+/// of a curve. Builds for size have no memory for this cache.
 struct MeshRows {
     static constexpr int kept = kept_mesh_rows;
     EvalRow at[kept == 0 ? 1 : kept];
