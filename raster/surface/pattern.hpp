@@ -13,7 +13,7 @@ namespace clearing {
 /// four words can be read, or twelve for pixels of three bytes.
 struct Pattern {
     alignas(4) std::uint8_t byte[64];
-    std::int32_t bytes = 16; ///< 16 or 48
+    std::int32_t bytes = 16; ///< number of bytes of the pattern that repeat: 16 or 48
 
     std::int32_t period() const { return has_format(PixelFormat::rgb888) ? bytes : 16; }
 };
