@@ -107,7 +107,7 @@ struct FixedMath : FixedClipping {
         /// exponent less that of row w, less lift_room. See Lifted.
         std::int32_t lift[3] = {};
         std::int32_t w_exponent = 0; ///< exponent of 1/w, less that of the vertex
-        /// divide() refuses a w with more leading zeros, since a shift would exceed 31.
+        /// divide() refuses a vertex whose w has more leading zeros, because a shift would exceed 31 bits.
         std::uint32_t most_zeros = 0;
         Range x, y;  ///< maps to the viewport, in window coordinates n.8
         Range depth; ///< maps to the depth range, in Q0.30
@@ -269,7 +269,7 @@ struct FixedMath : FixedClipping {
         SPANGLE_INLINE bool divide(int i, const Transforms& t, const Real (&)[4], Window& out,
                                    unsigned& planes) const {
             const Clipped& clip = clip_[i];
-            // The count is 3 to 31, but 0 if w is negative and 32 if w is 0.
+            // The number of zeros is 3 to 31, but 0 if w is negative and 32 if w is 0.
             const int zeros = numeric::clz32(clip.w);
             if (static_cast<std::uint32_t>(zeros) - 1 >= t.most_zeros)
                 return false;

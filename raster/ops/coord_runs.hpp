@@ -97,7 +97,8 @@ struct RunBound {
     RunBound(const Span<Fixed>& span, int unit, const HomogeneousRow& row) {
         const std::int32_t s0 = row.s(0), t0 = row.t(0), q0 = row.q(0);
         const std::int32_t by = unguarded(row.dq);
-        // N is off by at most Q + |S|, because gradients have lost their bits below the last one.
+        // The numerator N is off by at most Q + |S|, because gradients have lost the bits below their last
+        // one.
         const auto numerator = [&](std::uint64_t dv, std::int32_t v) SPANGLE_RUN_LAMBDA {
             return numeric::abs_u64(numeric::mul_s32(unguarded(dv), q0) - numeric::mul_s32(v, by)) +
                    (std::uint64_t{1} << 31);
@@ -292,7 +293,7 @@ class CoordRuns {
                                };
         along(run_start_.s, end.s, s, ds);
         along(run_start_.t, end.t, t, dt);
-        run_start_.s = end.s; // written out, because compilers call memcpy() to copy both at once
+        run_start_.s = end.s; // a copy of the whole pair would be a call of memcpy()
         run_start_.t = end.t;
     }
 

@@ -184,7 +184,7 @@ SPANGLE_INLINE TexelIndex clamped_linear(Wrap wrap, std::int32_t s, int log2_siz
     constexpr std::int32_t one = 1 << clamped_coord_bits;
     if (wrap == Wrap::clamp) // CLAMP limits s to [0, 1] first: at the edge half of the border is mixed in
         s = s < 0 ? 0 : s > one ? one : s;
-    // 512ths of a texel are rounded to 256ths; half a texel is 128 of these.
+    // The position, in 512ths of a texel, is rounded to 256ths. Half a texel is 128 of them.
     const std::int32_t fixed = (((s >> (clamped_coord_bits - 9 - log2_size)) + 1) >> 1) - 128;
     return {fixed >> 8, static_cast<std::uint32_t>(fixed) & 255};
 }

@@ -209,7 +209,8 @@ SPANGLE_INLINE void Setup<Fixed>::guessed_colors(std::uint32_t bits) {
     const std::uint64_t product = numeric::mul_u32(widest_color_range_, q_range_);
     if (q_least_ < 1u << 28 || product >> 52 != 0)
         return divided_colors();
-    // This is 16 product / (4 q), below 2^26. The two quotients are less than 16 and 1 too small.
+    // The error is 16 product / (4 q), which is below 2^26. The two quotients are less than 16 and 1 too
+    // small.
     const std::uint32_t error = static_cast<std::uint32_t>(product >> 20) / (q_least_ >> 18) * 16 + 17;
     // Steps are at most as large as 255ths and off by less than 2^-11 of them, which is less than what
     // remains of `lost`.

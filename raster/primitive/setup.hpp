@@ -71,7 +71,7 @@ template <> class Setup<Fixed> {
     };
     struct Gradient {
         std::int64_t dx, dy; ///< differences from pixel to pixel
-        std::int64_t center; ///< change from the lowest vertex to the centre of its pixel
+        std::int64_t center; ///< change of the attribute from the lowest vertex to the centre of its pixel
     };
     /// The primary or secondary colours of the three reference vertices. of[k] is the colour of vertex k.
     struct ColorSource {
