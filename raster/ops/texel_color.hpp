@@ -3,6 +3,7 @@
 
 #include "raster/ops/filter.hpp"
 #include "raster/ops/filter_words.hpp"
+#include "raster/ops/number_wide.hpp"
 #include "raster/ops/texel.hpp"
 #include "raster/ops/texel_factor.hpp"
 #include "raster/span/instructions.hpp"
