@@ -51,7 +51,7 @@ SPANGLE_INLINE void set_edges(Tile& tile, const FixedVertex& a, const FixedVerte
                           words(L::mixed_high(product, product_high)) + words(L::mixed_low(flat, flat));
     constexpr std::uint16_t on = 0xFFFF;
     constexpr U16 if_right = {0, on, on, 0, on, 0, 0, 0};
-    // Of the steps along x and along y, one is always negated.
+    // Exactly one of the two steps, along x or along y, is negated.
     const U16 flip = L::splat(middle_left ? on : 0u) ^ if_right;
     tile.value = std::bit_cast<U16>(area >> subpixel_bits) ^ L::mixed_low(flip, flip);
     tile.by = (across ^ flip) - flip;

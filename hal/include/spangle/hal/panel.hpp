@@ -1,5 +1,5 @@
 // A panel: a controller with its memory, and the [glass](docs/glossary.md#glass) that shows a window of it.
-// It is plain constexpr data, which the driver treats alike for all panels.
+// A panel is plain constexpr data, which the driver treats alike for all panels.
 #pragma once
 
 #include <cstdint>

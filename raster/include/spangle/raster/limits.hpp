@@ -135,7 +135,7 @@ inline constexpr bool has_indices = has_format(PixelFormat::index8),
                       has_wide_formats = (color_formats & ~narrow_formats) != 0;
 
 /// Whether some surfaces of this build are drawn by the chain only: narrow surfaces and those of indices.
-/// They have the exact number system in every tier (key.cpp), and no loops of their own.
+/// These surfaces have the exact number system in every tier (key.cpp), and no loops of their own.
 inline constexpr bool chain_only = (color_formats & (narrow_formats | index_formats)) != 0;
 /// Whether this build has the number system of the exact tier, and that of the faster ones.
 inline constexpr bool has_exact = chain_only || (tiers & 1) != 0, has_balanced = (tiers & 6) != 0;
